@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "graph/road_graph.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace thalweg {
+namespace {
+
+/// The internal road that follows an internal road, where the way through the junction has more than one.
+/// The last connection that the net lists counts, as in SUMO's routers.
+IdVector<RoadId, RoadId> next_internal_roads(const Network& network) {
+  IdVector<RoadId, RoadId> next(network.roads.size());
+  for (const Connection& c : network.connections) {
+    if (network.roads[c.from].function != RoadFunction::internal) continue;
+    next[c.from] = c.via.valid() ? network.lanes[c.via].road : RoadId{};
+  }
+  return next;
+}
+
+bool usable(const Network& network, const Connection& c, VehicleClass vehicle_class) {
+  const auto lane = [&](RoadId road, std::uint32_t index) {
+    return network.lanes[LaneId{network.roads[road].first_lane.value + index}].permissions;
+  };
+  Permissions permissions = lane(c.from, c.from_lane) & lane(c.to, c.to_lane) & c.permissions;
+  if (c.via.valid()) permissions = permissions & network.lanes[c.via].permissions;
+  return permissions.allows(vehicle_class);
+}
+
+struct Turn {
+  ArcEnds ends;
+  RoadId via;
+  auto operator<=>(const Turn&) const = default;
+};
+
+bool gives_way(char state) { return state == 'm' || state == '=' || state == 's' || state == 'w'; }
+
+}  // namespace
+
+RoadGraph::RoadGraph(const Network& network, VehicleClass vehicle_class)
+    : vehicle_class_(vehicle_class), vertices_(network.roads.size()) {
+  for (std::size_t i = 0; i < network.roads.size(); ++i) {
+    const Road& road = network.roads[RoadId{i}];
+    if (road.function != RoadFunction::normal) continue;
+    vertices_[RoadId{i}] = roads_.push_back(RoadId{i});
+    Permissions any = Permissions::none();
+    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
+      any = any | network.lanes[LaneId{road.first_lane.value + k}].permissions;
+    }
+    permitted_.push_back(any.allows(vehicle_class));
+  }
+
+  std::vector<Turn> turns;
+  for (const Connection& c : network.connections) {
+    if (!vertices_[c.from].valid() || !vertices_[c.to].valid()) continue;
+    if (!usable(network, c, vehicle_class)) continue;
+    turns.push_back({.ends = {.tail = vertices_[c.from], .head = vertices_[c.to]},
+                     .via = c.via.valid() ? network.lanes[c.via].road : RoadId{}});
+  }
+  std::sort(turns.begin(), turns.end());
+  turns.erase(std::unique(turns.begin(), turns.end()), turns.end());
+
+  const auto next = next_internal_roads(network);
+  std::vector<ArcEnds> arcs;
+  arcs.reserve(turns.size());
+  junction_first_.reserve(turns.size() + 1);
+  for (const Turn& turn : turns) {
+    if (arcs.empty() || arcs.back() != turn.ends) ++turn_count_;
+    arcs.push_back(turn.ends);
+    junction_first_.push_back(static_cast<std::uint32_t>(junction_roads_.size()));
+    const std::size_t first = junction_roads_.size();
+    for (RoadId road = turn.via; road.valid(); road = next[road]) {
+      const bool is_loop = std::find(junction_roads_.begin() + static_cast<std::ptrdiff_t>(first),
+                                     junction_roads_.end(), road) != junction_roads_.end();
+      if (is_loop) break;  // a damaged net must not hang us
+      junction_roads_.push_back(road);
+    }
+  }
+  junction_first_.push_back(static_cast<std::uint32_t>(junction_roads_.size()));
+  turns_ = Digraph(roads_.size(), arcs);
+}
+
+RoadTimes free_flow_times(const Network& network, VehicleClass vehicle_class, double max_speed,
+                          const TurnPenalties& penalties) {
+  RoadTimes times(network.roads.size());
+  for (std::size_t i = 0; i < network.roads.size(); ++i) {
+    const Road& road = network.roads[RoadId{i}];
+    double length = 0;
+    double speed = 0;
+    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
+      const Lane& lane = network.lanes[LaneId{road.first_lane.value + k}];
+      if (k > 0 && lane.speed <= speed) continue;
+      speed = lane.speed;
+      length = lane.length;
+    }
+    for (const auto& restriction : network.restrictions) {
+      if (restriction.vehicle_class == vehicle_class && restriction.type == road.type)
+        speed = restriction.speed;
+    }
+    times[RoadId{i}] = from_seconds(length / std::min(speed, max_speed));
+  }
+  IdVector<RoadId, Millis> penalty(network.roads.size(), 0);
+  for (const Connection& c : network.connections) {
+    if (!c.via.valid()) continue;
+    Millis& own = penalty[network.lanes[c.via].road];
+    if (gives_way(c.state)) own = penalties.minor;
+    if (c.signal.valid()) own = penalties.signal;
+    if (c.direction == 't' || c.direction == 'T') own = penalties.turnaround;
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    times[RoadId{i}] = add_saturating(times[RoadId{i}], penalty[RoadId{i}]);
+  }
+  return times;
+}
+
+void turn_costs(const RoadGraph& graph, const RoadTimes& times, std::vector<Millis>& costs) {
+  const Digraph& turns = graph.turns();
+  costs.resize(turns.arc_count());
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const ArcId turn{i};
+    Millis cost = times[graph.road(turns.ends(turn).tail)];
+    for (const RoadId road : graph.junction_roads(turn)) cost = add_saturating(cost, times[road]);
+    costs[i] = cost;
+  }
+}
+
+}  // namespace thalweg

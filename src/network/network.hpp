@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "core/id.hpp"
+#include "core/time.hpp"
+#include "network/vehicle_class.hpp"
+
+namespace thalweg {
+
+/// Metres in the net's own coordinates.
+struct Point {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+};
+using Shape = std::vector<Point>;
+
+enum class RoadFunction : std::uint8_t { normal, connector, internal, crossing, walking_area };
+
+struct Lane {
+  RoadId road;
+  double length = 0;  ///< m
+  double speed = 0;   ///< m/s, the limit
+  Permissions permissions = Permissions::all();
+  Permissions change_left = Permissions::all();
+  Permissions change_right = Permissions::all();
+  Shape shape;
+};
+
+/// An edge of the net. Lanes are numbered from the kerb, and stand one after the other in Network::lanes.
+struct Road {
+  std::string id;
+  RoadFunction function = RoadFunction::normal;
+  JunctionId from;  ///< invalid on internal roads
+  JunctionId to;
+  std::string type;
+  std::string name;
+  int priority = 0;
+  LaneId first_lane;
+  std::uint32_t lane_count = 0;
+  Shape shape;  ///< empty when the net leaves it to the junctions and lanes
+};
+
+/// A lane-to-lane connection, as `state` and `dir` of the net say ('M', 'm', 's', 'o' ..; 's', 'l', 'r', 't'
+/// ..).
+struct Connection {
+  RoadId from;
+  RoadId to;
+  std::uint32_t from_lane = 0;
+  std::uint32_t to_lane = 0;
+  LaneId via;  ///< the internal lane that leads on; invalid where the net has none
+  char direction = 's';
+  char state = 'M';
+  SignalId signal;
+  int link_index = -1;
+  Permissions permissions = Permissions::all();
+};
+
+struct Junction {
+  std::string id;
+  std::string type;
+  Point position;
+  Shape shape;
+};
+
+struct SignalPhase {
+  Millis duration = 0;
+  std::string state;  ///< one letter a link index
+};
+struct SignalProgramme {
+  std::string id;
+  std::string type;  ///< static, actuated, delay_based ..
+  Millis offset = 0;
+  std::vector<SignalPhase> phases;
+};
+struct Signal {
+  std::string id;
+  std::vector<SignalProgramme> programmes;
+};
+
+struct Roundabout {
+  std::vector<JunctionId> junctions;
+  std::vector<RoadId> roads;
+};
+
+struct Location {
+  Point net_offset;
+  std::string projection;  ///< PROJ string; "!" when there is none
+  std::string converted_boundary;
+  std::string original_boundary;
+};
+
+/// A limit that a road type sets for one class (`<type><restriction vClass speed/>`).
+struct SpeedRestriction {
+  std::string type;
+  VehicleClass vehicle_class;
+  double speed;  ///< m/s
+};
+
+/// What the .net.xml says, nothing derived.
+struct Network {
+  IdVector<RoadId, Road> roads;
+  IdVector<LaneId, Lane> lanes;
+  IdVector<JunctionId, Junction> junctions;
+  IdVector<ConnectionId, Connection> connections;
+  IdVector<SignalId, Signal> signals;
+  std::vector<Roundabout> roundabouts;
+  std::vector<SpeedRestriction> restrictions;
+  Location location;
+  bool left_hand = false;
+  std::vector<std::string> warnings;  ///< what was odd and read on from
+
+  [[nodiscard]] std::optional<RoadId> find_road(std::string_view id) const;
+
+  struct StringHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
+  };
+  template <class T>
+  using Names = std::unordered_map<std::string, T, StringHash, std::equal_to<>>;
+  Names<RoadId> road_ids;
+};
+
+}  // namespace thalweg
