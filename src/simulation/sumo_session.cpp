@@ -1,2 +1,214 @@
 // SPDX-License-Identifier: Apache-2.0
+// The only file that includes libsumo. What differs between SUMO's versions is settled here.
+#include <fmt/format.h>
 #include <libsumo/libsumo.h>
+
+#include <unordered_map>
+
+#include "core/error.hpp"
+#include "simulation/sumo_module.hpp"
+
+namespace thalweg {
+namespace {
+
+/// SUMO's decel where a type says nothing (m/s^2); used for the distance within which a turn is committed.
+constexpr double usual_deceleration = 4.5;
+
+/// Vehicles loaded before the first step; libsumo tells them since 1.20 or so.
+template <class SumoVehicle>
+std::vector<std::string> loaded_at_start() {
+  if constexpr (requires { SumoVehicle::getLoadedIDList(); }) return SumoVehicle::getLoadedIDList();
+  return {};
+}
+
+class SumoSession : public Simulation {
+ public:
+  explicit SumoSession(const SessionSetup& setup) : network_(*setup.network) {
+    names_.reserve(setup.vehicles->size());
+    for (std::size_t i = 0; i < setup.vehicles->size(); ++i) {
+      names_.push_back((*setup.vehicles)[i]);
+      ids_.emplace((*setup.vehicles)[i], VehicleId{i});
+    }
+    std::vector<std::string> command{"sumo"};
+    command.insert(command.end(), setup.arguments.begin(), setup.arguments.end());
+    guarded([&] { libsumo::Simulation::start(command); });
+    step_length_ = from_seconds(libsumo::Simulation::getDeltaT());
+    const double end = libsumo::Simulation::getEndTime();
+    end_ = end < 0 ? infinity : from_seconds(end);
+    now_ = from_seconds(libsumo::Simulation::getTime());
+    resolve(loaded_at_start<libsumo::Vehicle>(), events_.loaded);
+  }
+  SumoSession(const SumoSession&) = delete;
+  SumoSession& operator=(const SumoSession&) = delete;
+  ~SumoSession() override {
+    try {
+      close();
+    } catch (const std::exception&) {  // the first failure is the one that is told
+      static_cast<void>(0);
+    }
+  }
+
+  [[nodiscard]] Millis now() const override { return now_; }
+  [[nodiscard]] Millis step_length() const override { return step_length_; }
+  [[nodiscard]] Millis end() const override { return end_; }
+  [[nodiscard]] bool is_empty() const override { return libsumo::Simulation::getMinExpectedNumber() <= 0; }
+  [[nodiscard]] std::size_t running_count() const override { return running_.size(); }
+  [[nodiscard]] const StepEvents& events() const override { return events_; }
+
+  void step() override {
+    guarded([&] {
+      libsumo::Simulation::step();
+      now_ = from_seconds(libsumo::Simulation::getTime());
+      resolve(libsumo::Simulation::getLoadedIDList(), events_.loaded);
+      const auto departed = libsumo::Simulation::getDepartedIDList();
+      for (const auto& name : departed) {
+        places_.emplace(name, running_.size());
+        running_.push_back(name);
+      }
+      resolve(departed, events_.departed);
+      const auto arrived = libsumo::Simulation::getArrivedIDList();
+      for (const auto& name : arrived) forget(name);
+      resolve(arrived, events_.arrived);
+    });
+  }
+
+  std::span<const Observation> observe() override {
+    observations_.clear();
+    for (std::size_t i = 0; i < running_.size();) {
+      try {
+        const std::string& name = running_[i];
+        const auto road = network_.find_road(libsumo::Vehicle::getRoadID(name));
+        if (road) observations_.push_back({.road = *road, .speed = libsumo::Vehicle::getSpeed(name)});
+        ++i;
+      } catch (const libsumo::TraCIException&) {
+        forget(std::string(running_[i]));  // gone without an arrival
+      }
+    }
+    return observations_;
+  }
+
+  Plan plan(VehicleId vehicle) override {
+    Plan plan;
+    plan.can_change = false;
+    try {
+      fill(names_[vehicle], plan);
+    } catch (const libsumo::TraCIException&) {
+      plan.can_change = false;  // discarded in the meantime
+    }
+    return plan;
+  }
+
+  bool assign(VehicleId vehicle, std::span<const RoadId> route) override {
+    std::vector<std::string> edges;
+    edges.reserve(route.size());
+    for (const RoadId road : route) edges.push_back(network_.roads[road].id);
+    try {
+      libsumo::Vehicle::setRoute(names_[vehicle], edges);
+      return true;
+    } catch (const libsumo::TraCIException&) {
+      return false;
+    }
+  }
+
+  void close() override {
+    if (closed_) return;
+    closed_ = true;
+    guarded([] { libsumo::Simulation::close("Simulation ended by thalweg."); });
+  }
+
+ private:
+  /// SUMO's failures come out in its own words.
+  template <class Action>
+  static void guarded(Action action) {
+    try {
+      action();
+    } catch (const libsumo::TraCIException& error) {
+      throw InputError(fmt::format("SUMO: {}", error.what()));
+    } catch (const libsumo::FatalTraCIError& error) {
+      throw InputError(fmt::format("SUMO: {}", error.what()));
+    }
+  }
+
+  void resolve(const std::vector<std::string>& names, std::vector<VehicleId>& out) const {
+    out.clear();
+    for (const auto& name : names) {
+      const auto found = ids_.find(name);
+      if (found != ids_.end()) out.push_back(found->second);
+    }
+  }
+
+  void forget(const std::string& name) {
+    const auto place = places_.find(name);
+    if (place == places_.end()) return;
+    const std::size_t index = place->second;
+    places_.erase(place);
+    if (index + 1 != running_.size()) {
+      running_[index] = std::move(running_.back());
+      places_[running_[index]] = index;
+    }
+    running_.pop_back();
+  }
+
+  void fill(const std::string& name, Plan& plan) const {
+    const auto edges = libsumo::Vehicle::getRoute(name);
+    const bool departed = places_.contains(name);
+    const int index = departed ? libsumo::Vehicle::getRouteIndex(name) : 0;
+    if (index < 0 || static_cast<std::size_t>(index) >= edges.size()) return;
+    for (std::size_t i = static_cast<std::size_t>(index); i < edges.size(); ++i) {
+      const auto road = network_.find_road(edges[i]);
+      if (!road) return;
+      plan.route.push_back(*road);
+    }
+    if (departed && !locate(name, plan)) return;
+    for (const auto& stop : libsumo::Vehicle::getStops(name)) {
+      const auto road = network_.find_road(std::string_view(stop.lane).substr(0, stop.lane.rfind('_')));
+      if (!road) return;
+      plan.waypoints.push_back(*road);
+    }
+    plan.can_change = true;
+  }
+
+  /// Where on its route the vehicle is and what is committed; false when it is not on it.
+  bool locate(const std::string& name, Plan& plan) const {
+    const std::string road = libsumo::Vehicle::getRoadID(name);
+    if (road.empty() || libsumo::Vehicle::getStopState(name) != 0) return false;
+    if (road.front() == ':') {
+      plan.committed = 2;
+      plan.driven = 1;
+      return true;
+    }
+    const RoadId current = plan.route.front();
+    if (network_.find_road(road) != current) return false;
+    const double length = network_.lanes[network_.roads[current].first_lane].length;
+    const double position = libsumo::Vehicle::getLanePosition(name);
+    const double speed = libsumo::Vehicle::getSpeed(name);
+    const double braking = speed * speed / (2 * usual_deceleration) + speed * to_seconds(step_length_);
+    plan.driven = length > 0 ? std::clamp(position / length, 0.0, 1.0) : 1.0;
+    plan.committed = length - position < braking ? 2 : 1;
+    return true;
+  }
+
+  const Network& network_;
+  IdVector<VehicleId, std::string> names_;
+  std::unordered_map<std::string, VehicleId> ids_;
+  std::vector<std::string> running_;
+  std::unordered_map<std::string, std::size_t> places_;  ///< in running_
+  std::vector<Observation> observations_;
+  StepEvents events_;
+  Millis now_ = 0;
+  Millis step_length_ = 1000;
+  Millis end_ = infinity;
+  bool closed_ = false;
+};
+
+}  // namespace
+}  // namespace thalweg
+
+extern "C" thalweg::Simulation* thalweg_open_sumo(const thalweg::SessionSetup& setup) {
+  return new thalweg::SumoSession(setup);
+}
+
+extern "C" const char* thalweg_sumo_version() {
+  static const std::string version = libsumo::Simulation::getVersion().second;
+  return version.c_str();
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "routing/strategy.hpp"
+
+namespace thalweg {
+
+// A new strategy: one file with its make function, a line here, an entry in strategy.cpp.
+std::unique_ptr<Strategy> make_hybrid(const StrategyOptions& options);
+std::unique_ptr<Strategy> make_evolved(const StrategyOptions& options);
+std::unique_ptr<Strategy> make_dijkstra(const StrategyOptions& options);
+
+}  // namespace thalweg

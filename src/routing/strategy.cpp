@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "routing/strategy.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "core/error.hpp"
+#include "core/nearest.hpp"
+#include "routing/list.hpp"
+
+namespace thalweg {
+
+bool ChoiceRule::prefers(const Traveller& traveller, Millis old_cost, Millis new_cost) const {
+  if (new_cost >= old_cost) return false;
+  if (old_cost >= infinity) return true;  // its way is broken: any other is better
+  const double share = relative + spread * traveller.patience;
+  const auto gain = static_cast<double>(old_cost - new_cost);
+  return gain > share * static_cast<double>(old_cost) + static_cast<double>(absolute);
+}
+
+std::span<const StrategyEntry> strategies() {
+  static constexpr std::array<StrategyEntry, 3> list{{
+      {"hybrid", "fewest turns, then least time (the paper's hybrid algorithm)", &make_hybrid},
+      {"evolved", "the hybrid's tree evolved to the optimum (the paper's evolutionary hybrid)", &make_evolved},
+      {"dijkstra", "least time by Dijkstra's algorithm, to compare with", &make_dijkstra},
+  }};
+  return list;
+}
+
+std::unique_ptr<Strategy> make_strategy(std::string_view name, const StrategyOptions& options) {
+  std::vector<std::string> names;
+  for (const auto& entry : strategies()) {
+    if (entry.name == name) return entry.make(options);
+    names.emplace_back(entry.name);
+  }
+  throw InputError(fmt::format("there is no strategy '{}'{}; there are: {}", name, did_you_mean(name, names),
+                               fmt::join(names, ", ")));
+}
+
+Millis route_cost(const ClassTraffic& traffic, std::span<const VertexId> route) {
+  const Digraph& turns = traffic.graph->turns();
+  Millis cost = route.empty() ? infinity : traffic.road_times[traffic.graph->road(route.back())];
+  for (std::size_t i = 0; i + 1 < route.size(); ++i) {
+    Millis turn = infinity;
+    for (const Arc& arc : turns.out(route[i])) {
+      if (arc.end == route[i + 1]) turn = std::min(turn, traffic.turn_costs[arc.id.value]);
+    }
+    cost = add_saturating(cost, turn);
+  }
+  return cost;
+}
+
+}  // namespace thalweg

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/time.hpp"
+#include "graph/road_graph.hpp"
+
+namespace thalweg {
+
+/// The traffic as one vehicle class sees it now: f(t, I) of the paper with the value of now.
+struct ClassTraffic {
+  const RoadGraph* graph = nullptr;
+  RoadTimes free_flow;
+  RoadTimes road_times;             ///< live
+  std::vector<Millis> turn_costs;  ///< by ArcId, live
+};
+
+/// A vehicle whose turn it is to reconsider. Roads are vertices of its class's graph.
+struct Traveller {
+  VehicleId vehicle;
+  std::size_t vehicle_class = 0;     ///< index of its ClassTraffic
+  std::vector<VertexId> route;       ///< its present way, from the first road whose next turn is still free
+  std::vector<VertexId> waypoints;   ///< roads it must pass in this order: stops, `via`; last its destination
+  Millis until_route = 0;            ///< from now until it enters route.front()
+  double patience = 0;               ///< in [0, 1), fixed for each vehicle by a hash of its name
+  bool departed = true;
+};
+
+/// What was decided for a traveller. Costs run from entering route.front() to the end of the last road.
+struct Decision {
+  bool change = false;
+  std::vector<VertexId> route;  ///< the better way found, from the same first road; empty when none was found
+  Millis old_cost = 0;
+  Millis new_cost = 0;          ///< of `route`
+};
+
+/// When a traveller gives up its way for a better one: the gain must exceed
+/// (relative + spread * patience) of the time left, and `absolute`. Thresholds that differ between vehicles keep
+/// everybody from turning at the same news.
+struct ChoiceRule {
+  double relative = 0;
+  double spread = 0;
+  Millis absolute = 0;
+
+  [[nodiscard]] bool prefers(const Traveller& traveller, Millis old_cost, Millis new_cost) const;
+};
+
+/// Decides for everyone who is due, as one batch a control period.
+class Strategy {
+ public:
+  virtual ~Strategy() = default;
+  /// decisions[i] belongs to due[i]. The result does not depend on the number of threads.
+  virtual void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
+                      std::vector<Decision>& decisions) = 0;
+};
+
+struct StrategyOptions {
+  ChoiceRule rule;
+  std::size_t threads = 1;
+};
+
+/// The strategies there are, each with the sentence that `--help` shows.
+struct StrategyEntry {
+  std::string_view name;
+  std::string_view summary;
+  std::unique_ptr<Strategy> (*make)(const StrategyOptions&);
+};
+std::span<const StrategyEntry> strategies();
+
+/// InputError with the nearest name when there is none of this name.
+std::unique_ptr<Strategy> make_strategy(std::string_view name, const StrategyOptions& options);
+
+/// What the route costs now, its last road included; infinity when two of its roads are not joined.
+Millis route_cost(const ClassTraffic& traffic, std::span<const VertexId> route);
+
+}  // namespace thalweg

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/control.hpp"
+
+#include <algorithm>
+#include <ctime>
+#include <queue>
+
+#include "core/hash.hpp"
+
+namespace thalweg {
+namespace {
+
+double cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+/// The vehicles' own clocks: when each of ours reconsiders.
+class Agenda {
+ public:
+  Agenda(const Demand& demand, const ControlOptions& options) : period_(options.period) {
+    entries_.resize(demand.vehicles.size());
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const DemandVehicle& vehicle = demand.vehicles[VehicleId{i}];
+      Entry& entry = entries_[VehicleId{i}];
+      entry.depart = vehicle.depart.value_or(0);
+      entry.ours = !vehicle.fixed && unit_hash(vehicle.id + "#share") < options.share;
+      entry.phase = period_ > 0 ? static_cast<Millis>(unit_hash(vehicle.id) * static_cast<double>(period_)) : 0;
+    }
+  }
+
+  [[nodiscard]] bool ours(VehicleId vehicle) const { return entries_[vehicle].ours; }
+  [[nodiscard]] bool departed(VehicleId vehicle) const { return entries_[vehicle].state == State::running; }
+
+  /// Due at the step that will insert it, before that step.
+  void on_loaded(VehicleId vehicle, Millis now) {
+    entries_[vehicle].state = State::loaded;
+    schedule(vehicle, std::max(now, entries_[vehicle].depart));
+  }
+  void on_departed(VehicleId vehicle, Millis now) {
+    entries_[vehicle].state = State::running;
+    schedule(vehicle, next_turn(vehicle, now));
+  }
+  void on_arrived(VehicleId vehicle) { entries_[vehicle] = {}; }
+  void reschedule(VehicleId vehicle, Millis now) { schedule(vehicle, next_turn(vehicle, now)); }
+
+  /// Takes out who is due by `now`, in the order of their ids.
+  void take_due(Millis now, std::vector<VehicleId>& due) {
+    due.clear();
+    while (!queue_.empty() && queue_.top().first <= now) {
+      const auto [time, vehicle] = queue_.top();
+      queue_.pop();
+      if (entries_[vehicle].due != time || entries_[vehicle].state == State::away) continue;
+      entries_[vehicle].due = infinity;
+      due.push_back(vehicle);
+    }
+    std::sort(due.begin(), due.end());
+  }
+
+ private:
+  enum class State : std::uint8_t { away, loaded, running };
+  struct Entry {
+    Millis depart = 0;
+    Millis phase = 0;
+    Millis due = infinity;
+    State state = State::away;
+    bool ours = false;
+  };
+
+  /// The first moment after `now` that lies in the vehicle's phase.
+  [[nodiscard]] Millis next_turn(VehicleId vehicle, Millis now) const {
+    if (period_ == 0) return now + 1;
+    const Millis since = now - entries_[vehicle].phase;
+    const Millis turns = since >= 0 ? since / period_ : -((-since + period_ - 1) / period_);
+    return entries_[vehicle].phase + (turns + 1) * period_;
+  }
+
+  void schedule(VehicleId vehicle, Millis time) {
+    if (!entries_[vehicle].ours) return;
+    entries_[vehicle].due = time;
+    queue_.emplace(time, vehicle);
+  }
+
+  using Turn = std::pair<Millis, VehicleId>;
+  Millis period_;
+  IdVector<VehicleId, Entry> entries_;
+  std::priority_queue<Turn, std::vector<Turn>, std::greater<>> queue_;
+};
+
+/// Positions in `route`, ascending, that the vehicle must keep: its stops, what is left of its `via`, its end.
+std::vector<std::size_t> kept_positions(const Plan& plan, const std::vector<RoadId>& via) {
+  std::vector<std::size_t> kept{plan.route.size() - 1};
+  std::size_t from = 0;
+  for (const RoadId stop : plan.waypoints) {
+    const auto found = std::find(plan.route.begin() + static_cast<std::ptrdiff_t>(from), plan.route.end(), stop);
+    if (found == plan.route.end()) break;
+    from = static_cast<std::size_t>(found - plan.route.begin());
+    kept.push_back(from);
+  }
+  // The route ahead holds the last few of `via`: they are matched from its end, the first that fails is behind us.
+  auto end = plan.route.rend();
+  auto position = plan.route.rbegin();
+  for (auto road = via.rbegin(); road != via.rend(); ++road) {
+    position = std::find(position, end, *road);
+    if (position == end) break;
+    kept.push_back(static_cast<std::size_t>(end - position) - 1);
+  }
+  std::sort(kept.begin(), kept.end());
+  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+  return kept;
+}
+
+class Controller {
+ public:
+  Controller(Simulation& simulation, const Network& network, const Demand& demand, Strategy& strategy,
+             const ControlOptions& options, RunResult& result)
+      : simulation_(simulation),
+        demand_(demand),
+        strategy_(strategy),
+        options_(options),
+        result_(result),
+        agenda_(demand, options),
+        measured_(network, options.window, std::max(options.sample_interval, simulation.step_length())) {
+    for (const DemandVehicle& vehicle : demand.vehicles) {
+      auto& index = class_index_[static_cast<std::size_t>(vehicle.vehicle_class)];
+      if (vehicle.fixed || index) continue;
+      index = graphs_.size();
+      graphs_.push_back(std::make_unique<RoadGraph>(network, vehicle.vehicle_class));
+      const double max_speed = default_max_speed(vehicle.vehicle_class);
+      traffic_.push_back(
+          {.graph = graphs_.back().get(),
+           .free_flow = free_flow_times(network, vehicle.vehicle_class, max_speed, options.penalties),
+           .road_times = {},
+           .turn_costs = {}});
+    }
+    next_sample_ = simulation.now();
+  }
+
+  /// After a step (and before the first): notes what happened, and lets those who are due decide.
+  void update() {
+    for (const VehicleId vehicle : simulation_.events().loaded) agenda_.on_loaded(vehicle, simulation_.now());
+    for (const VehicleId vehicle : simulation_.events().departed) agenda_.on_departed(vehicle, simulation_.now());
+    for (const VehicleId vehicle : simulation_.events().arrived) agenda_.on_arrived(vehicle);
+    if (simulation_.now() >= next_sample_) {
+      measured_.sample(simulation_.observe());
+      next_sample_ = simulation_.now() + options_.sample_interval;
+    }
+    agenda_.take_due(simulation_.now(), due_);
+    if (!due_.empty()) decide();
+  }
+
+ private:
+  void decide() {
+    travellers_.clear();
+    plans_.clear();
+    for (const VehicleId vehicle : due_) {
+      agenda_.reschedule(vehicle, simulation_.now());
+      add_traveller(vehicle);
+    }
+    if (travellers_.empty()) return;
+    refresh_traffic();
+    for (std::size_t i = 0; i < travellers_.size(); ++i) travellers_[i].until_route = until_route(i);
+    strategy_.decide(traffic_, travellers_, decisions_);
+    result_.decisions += travellers_.size();
+    for (std::size_t i = 0; i < travellers_.size(); ++i) apply(travellers_[i], plans_[i], decisions_[i]);
+  }
+
+  void add_traveller(VehicleId vehicle) {
+    Plan plan = simulation_.plan(vehicle);
+    if (!plan.can_change || plan.committed >= plan.route.size()) return;
+    const DemandVehicle& wanted = demand_.vehicles[vehicle];
+    Traveller traveller;
+    traveller.vehicle = vehicle;
+    traveller.vehicle_class = *class_index_[static_cast<std::size_t>(wanted.vehicle_class)];
+    traveller.patience = unit_hash(wanted.id);
+    traveller.departed = agenda_.departed(vehicle);
+    const RoadGraph& graph = *graphs_[traveller.vehicle_class];
+    const std::size_t first = plan.committed - 1;
+    for (std::size_t i = first; i < plan.route.size(); ++i) {
+      const VertexId vertex = graph.vertex(plan.route[i]);
+      if (!vertex.valid()) return;
+      traveller.route.push_back(vertex);
+    }
+    for (const std::size_t position : kept_positions(plan, wanted.via)) {
+      const bool is_new = position > first && traveller.route[position - first] !=
+                                                  (traveller.waypoints.empty() ? traveller.route.front()
+                                                                               : traveller.waypoints.back());
+      if (is_new) traveller.waypoints.push_back(traveller.route[position - first]);
+    }
+    if (traveller.waypoints.empty()) return;  // it is where it wants to be
+    travellers_.push_back(std::move(traveller));
+    plans_.push_back(std::move(plan));
+  }
+
+  /// Brings the costs of the classes that are asked for up to now.
+  void refresh_traffic() {
+    std::vector<bool> fresh(traffic_.size(), false);
+    for (const Traveller& traveller : travellers_) {
+      if (fresh[traveller.vehicle_class]) continue;
+      fresh[traveller.vehicle_class] = true;
+      ClassTraffic& traffic = traffic_[traveller.vehicle_class];
+      measured_.live(traffic.free_flow, traffic.road_times);
+      turn_costs(*traffic.graph, traffic.road_times, traffic.turn_costs);
+    }
+  }
+
+  [[nodiscard]] Millis until_route(std::size_t i) const {
+    const Plan& plan = plans_[i];
+    const Millis crossing = traffic_[travellers_[i].vehicle_class].road_times[plan.route.front()];
+    const auto behind = static_cast<Millis>(plan.driven * static_cast<double>(std::min(crossing, infinity / 4)));
+    return plan.committed > 1 ? crossing - behind : -behind;
+  }
+
+  void apply(const Traveller& traveller, const Plan& plan, Decision& decision) {
+    const RoadGraph& graph = *graphs_[traveller.vehicle_class];
+    std::vector<RoadId> route(plan.route.begin(), plan.route.begin() + static_cast<std::ptrdiff_t>(plan.committed - 1));
+    for (const VertexId vertex : decision.route) route.push_back(graph.road(vertex));
+    // SUMO may end a vehicle at once that is told to drive from its road back to the same road (13628).
+    if (decision.change && route.front() == route.back()) decision.change = false;
+    if (decision.change) {
+      decision.change = simulation_.assign(traveller.vehicle, route);
+      ++(decision.change ? result_.reroutes : result_.refused);
+    }
+    if (options_.log_decisions) log(traveller, decision);
+  }
+
+  void log(const Traveller& traveller, const Decision& decision) {
+    const RoadGraph& graph = *graphs_[traveller.vehicle_class];
+    LoggedDecision entry{.time = simulation_.now(),
+                         .vehicle = traveller.vehicle,
+                         .old_route = {},
+                         .new_route = {},
+                         .old_cost = decision.old_cost,
+                         .new_cost = decision.new_cost,
+                         .predicted_arrival = simulation_.now() + traveller.until_route +
+                                              (decision.change ? decision.new_cost : decision.old_cost)};
+    for (const VertexId vertex : traveller.route) entry.old_route.push_back(graph.road(vertex));
+    if (decision.change) {
+      for (const VertexId vertex : decision.route) entry.new_route.push_back(graph.road(vertex));
+    }
+    result_.log.push_back(std::move(entry));
+  }
+
+  Simulation& simulation_;
+  const Demand& demand_;
+  Strategy& strategy_;
+  const ControlOptions& options_;
+  RunResult& result_;
+  Agenda agenda_;
+  MeasuredTimes measured_;
+  Millis next_sample_ = 0;
+  std::array<std::optional<std::size_t>, 64> class_index_;
+  std::vector<std::unique_ptr<RoadGraph>> graphs_;
+  std::vector<ClassTraffic> traffic_;
+  std::vector<VehicleId> due_;
+  std::vector<Traveller> travellers_;
+  std::vector<Plan> plans_;  ///< of the travellers
+  std::vector<Decision> decisions_;
+};
+
+}  // namespace
+
+RunResult control(Simulation& simulation, const Network& network, const Demand& demand, Strategy* strategy,
+                  const ControlOptions& options, const std::function<void(const Simulation&)>& progress,
+                  const std::atomic<bool>& stop) {
+  RunResult result;
+  result.arrival.assign(demand.vehicles.size(), infinity);
+  double mark = cpu_seconds();
+  const auto lap = [&](double& account) {
+    const double now = cpu_seconds();
+    account += now - mark;
+    mark = now;
+  };
+  std::optional<Controller> controller;
+  if (strategy != nullptr) controller.emplace(simulation, network, demand, *strategy, options, result);
+  Millis last_arrival = simulation.now();
+  while (true) {
+    if (controller) controller->update();
+    lap(result.router_cpu_s);
+    if (stop) {
+      result.reason = StopReason::interrupted;
+      break;
+    }
+    if (simulation.now() >= simulation.end()) {
+      result.reason = StopReason::end_reached;
+      break;
+    }
+    if (simulation.end() == infinity && simulation.is_empty()) {
+      result.reason = StopReason::emptied;
+      break;
+    }
+    if (simulation.end() == infinity && simulation.now() - last_arrival >= options.stall) {
+      result.reason = StopReason::stalled;
+      break;
+    }
+    simulation.step();
+    for (const VehicleId vehicle : simulation.events().arrived) result.arrival[vehicle] = simulation.now();
+    if (!simulation.events().arrived.empty() || simulation.running_count() == 0) last_arrival = simulation.now();
+    lap(result.simulation_cpu_s);
+    if (progress) progress(simulation);
+  }
+  result.end = simulation.now();
+  return result;
+}
+
+}  // namespace thalweg

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <vector>
+
+#include "demand/demand.hpp"
+#include "routing/strategy.hpp"
+#include "simulation/simulation.hpp"
+
+namespace thalweg {
+
+struct ControlOptions {
+  Millis period = 60'000;          ///< each vehicle reconsiders once a period; 0: at every step
+  Millis window = 180'000;         ///< over which travel times are averaged
+  Millis sample_interval = 1'000;  ///< between two looks at the traffic
+  double share = 1.0;              ///< share of the vehicles that is ours
+  Millis stall = 3'600'000;        ///< without an end, stop when nothing has arrived for so long
+  TurnPenalties penalties;
+  bool log_decisions = false;
+};
+
+struct LoggedDecision {
+  Millis time = 0;
+  VehicleId vehicle;
+  std::vector<RoadId> old_route;  ///< from the first road whose next turn was free
+  std::vector<RoadId> new_route;  ///< empty: it keeps its way
+  Millis old_cost = 0;
+  Millis new_cost = 0;
+  Millis predicted_arrival = 0;   ///< on the way that was chosen
+};
+
+enum class StopReason : std::uint8_t { emptied, end_reached, stalled, interrupted };
+
+struct RunResult {
+  StopReason reason = StopReason::emptied;
+  Millis end = 0;
+  std::uint64_t decisions = 0;
+  std::uint64_t reroutes = 0;
+  std::uint64_t refused = 0;  ///< routes that SUMO did not take
+  double router_cpu_s = 0;    ///< measuring, deciding and handing over
+  double simulation_cpu_s = 0;
+  std::vector<LoggedDecision> log;
+  IdVector<VehicleId, Millis> arrival;  ///< infinity: not arrived
+};
+
+/// Runs the simulation to its end. With a strategy its vehicles are re-routed each control period; without one
+/// SUMO is on its own. `progress` is called after every step; a set `stop` ends the run.
+RunResult control(Simulation& simulation, const Network& network, const Demand& demand, Strategy* strategy,
+                  const ControlOptions& options, const std::function<void(const Simulation&)>& progress,
+                  const std::atomic<bool>& stop);
+
+}  // namespace thalweg
