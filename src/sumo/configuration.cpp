@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sumo/configuration.hpp"
+
+#include <algorithm>
+
+#include "core/number.hpp"
+#include "xml/reader.hpp"
+#include "xml/writer.hpp"
+
+namespace thalweg {
+namespace {
+
+class ConfigurationHandler : public xml::Handler {
+ public:
+  void start(const xml::Element& element) override {
+    const auto value = element.find("value") ? element.find("value") : element.find("v");
+    if (value) settings.push_back({.name = std::string(element.name()), .value = std::string(*value)});
+  }
+  std::vector<Setting> settings;
+};
+
+}  // namespace
+
+std::vector<Setting> read_configuration(const std::filesystem::path& file) {
+  ConfigurationHandler handler;
+  xml::read(file, handler);
+  return std::move(handler.settings);
+}
+
+void write_configuration(const std::filesystem::path& file, std::string_view header,
+                         const std::vector<Setting>& settings) {
+  xml::Writer writer(file, header);
+  writer.open("configuration");
+  for (const auto& [name, value] : settings) writer.open(name).attribute("value", value).close();
+  writer.commit();
+}
+
+std::vector<std::string> file_list(std::string_view list) {
+  std::vector<std::string> files;
+  for (const auto part : split(list, ",;")) {
+    if (const auto name = trimmed(part); !name.empty()) files.emplace_back(name);
+  }
+  return files;
+}
+
+std::string resolve_files(std::string_view list, const std::filesystem::path& folder) {
+  std::string resolved;
+  for (const auto& file : file_list(list)) {
+    if (!resolved.empty()) resolved += ',';
+    resolved += std::filesystem::absolute(folder / file).lexically_normal().string();
+  }
+  return resolved;
+}
+
+std::optional<std::string> Settings::find(std::string_view name) const {
+  const auto found =
+      std::find_if(settings_.begin(), settings_.end(), [&](const Setting& s) { return s.name == name; });
+  if (found == settings_.end()) return std::nullopt;
+  return found->value;
+}
+
+void Settings::set(std::string_view name, std::string value) {
+  const auto found =
+      std::find_if(settings_.begin(), settings_.end(), [&](const Setting& s) { return s.name == name; });
+  if (found != settings_.end()) {
+    found->value = std::move(value);
+  } else {
+    settings_.push_back({.name = std::string(name), .value = std::move(value)});
+  }
+}
+
+void Settings::erase(std::string_view name) {
+  erase_if([&](const std::string& own) { return own == name; });
+}
+
+}  // namespace thalweg
