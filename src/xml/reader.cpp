@@ -62,9 +62,11 @@ bool Element::boolean_or(std::string_view attribute, bool otherwise) const {
          *text == "t";
 }
 
+std::string Element::place() const { return fmt::format("{}:{}", file_, line_); }
+
 InputError Element::error(std::string_view message) const {
   const auto id = find("id");
-  return InputError(fmt::format("{}:{}: <{}{}>: {}", file_, line_, name_,
+  return InputError(fmt::format("{}: <{}{}>: {}", place(), name_,
                                 id ? fmt::format(" id='{}'", id->substr(0, 80)) : "", message));
 }
 

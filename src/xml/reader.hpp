@@ -38,6 +38,7 @@ class Element {
   [[nodiscard]] Millis time(std::string_view attribute) const;
   [[nodiscard]] bool boolean_or(std::string_view attribute, bool otherwise) const;
 
+  [[nodiscard]] std::string place() const;  ///< "file:line"
   /// "file:line: <element id='x'>: message"
   [[nodiscard]] InputError error(std::string_view message) const;
 

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "demand/input_scan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/number.hpp"
+#include "xml/node.hpp"
+
+namespace thalweg {
+namespace {
+
+/// The first road named by the vehicle, its route or its stops that the net has not; empty when there is none.
+std::string unknown_road(const xml::Node& node, const Network& network) {
+  static constexpr std::array<std::string_view, 5> lists{"from", "to", "via", "edges", "edge"};
+  for (const auto attribute : lists) {
+    for (const auto road : split(node.value_or(attribute, ""), " \t\r\n")) {
+      if (!network.find_road(road)) return std::string(road);
+    }
+  }
+  for (const xml::Node& child : node.children) {
+    if (child.name == "param") continue;
+    if (auto road = unknown_road(child, network); !road.empty()) return road;
+  }
+  return {};
+}
+
+bool has_route(const xml::Node& node) {
+  return node.find("route") != nullptr ||
+         std::any_of(node.children.begin(), node.children.end(), [](const xml::Node& child) {
+           return child.name == "route" || child.name == "routeDistribution";
+         });
+}
+
+/// False: the vehicle, trip or flow is to be left out.
+bool note(const xml::Node& node, const Network& network, InputScan& scan) {
+  const std::string& id = node.require("id");
+  if (!scan.seen.insert(id).second) throw node.error("there is a vehicle, trip or flow of this id already");
+  const bool is_flow = node.name == "flow";
+  if (const auto road = unknown_road(node, network); !road.empty()) {
+    scan.dropped.push_back(
+        {.id = id, .reason = fmt::format("{}the edge '{}' is not in the net", is_flow ? "the whole flow: " : "", road)});
+    return false;
+  }
+  if (const std::string* via = node.find("via")) scan.via.emplace(id, *via);
+  if (!is_flow) scan.ids.push_back(id);
+  if (is_flow && node.find("end") == nullptr && node.find("number") == nullptr) scan.has_open_flows = true;
+  if (has_route(node)) scan.has_given_routes = true;
+  return true;
+}
+
+}  // namespace
+
+bool is_demand_element(std::string_view element) {
+  static constexpr std::array<std::string_view, 7> elements{"vehicle",    "trip",      "flow",         "person",
+                                                            "personFlow", "container", "containerFlow"};
+  return std::find(elements.begin(), elements.end(), element) != elements.end();
+}
+
+bool scan_demand(const std::filesystem::path& file, const std::filesystem::path& copy, const Network& network,
+                 bool is_additional, InputScan& scan) {
+  xml::Writer writer(copy, fmt::format("from {}", file.filename().string()));
+  writer.open("routes");
+  bool found = false;
+  xml::read_nodes(
+      file,
+      [&](const xml::Element& root) {
+        if (!is_additional && (root.name() == "net" || root.name() == "configuration")) {
+          throw root.error("this is no route file: its root should be <routes>");
+        }
+      },
+      [&](xml::Node& node) {
+        if (node.name == "include") throw node.error("<include> is not understood here: name the file itself");
+        const bool is_demand = is_demand_element(node.name);
+        if (is_additional && !is_demand) return;  // duarouter reads the additional file itself
+        found = found || is_demand;
+        const bool is_vehicle = node.name == "vehicle" || node.name == "trip" || node.name == "flow";
+        if (!is_vehicle || note(node, network, scan)) write_node(writer, node);
+      });
+  if (is_additional && !found) return false;
+  writer.commit();
+  return true;
+}
+
+}  // namespace thalweg

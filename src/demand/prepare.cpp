@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "demand/prepare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "core/number.hpp"
+#include "demand/input_scan.hpp"
+#include "demand/vehicle_file.hpp"
+#include "sumo/options.hpp"
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// duarouter with what all its calls share.
+class Duarouter {
+ public:
+  Duarouter(const Settings& settings, const SumoInstallation& sumo, const fs::path& folder)
+      : program_(sumo.duarouter), folder_(folder) {
+    require_tool(program_, "duarouter");
+    const SumoOptions options = SumoOptions::ask(program_, folder);
+    common_ = {"--net-file", settings.find("net-file").value_or(""), "--ignore-errors", "--no-step-log",
+               "--skip-new-routes",  // given routes are kept; without it duarouter routes them afresh
+               "--unsorted-input", "--alternatives-output", "NUL", "--ptline-routing"};
+    if (options.find("ptline-routing") == nullptr) common_.pop_back();
+    // CCH is a hundred times faster than the default and finds the same costs, but is new.
+    const auto* algorithm = options.find("routing-algorithm");
+    const bool has_cch = algorithm != nullptr && algorithm->second.help.find("CCH") != std::string::npos;
+    add("--routing-algorithm", has_cch ? "CCH" : "astar");
+    for (const char* shared : {"additional-files", "begin", "junction-taz", "scale", "mapmatch.distance",
+                               "mapmatch.junctions", "mapmatch.taz", "weights.minor-penalty",
+                               "weights.turnaround-penalty", "weights.tls-penalty"}) {
+      const auto value = settings.find(shared);
+      if (value && !value->empty() && options.find(shared) != nullptr) add(std::string("--") + shared, *value);
+    }
+  }
+
+  /// Routes `inputs` into `output`; returns what duarouter printed. InputError with its words when it fails.
+  std::string route(const std::string& inputs, const fs::path& output, std::vector<std::string> more) const {
+    more.insert(more.begin(), {"--route-files", inputs, "--output-file", output.string()});
+    more.insert(more.end(), common_.begin(), common_.end());
+    const fs::path log = folder_ / "duarouter.log";
+    const int exit = run_program(program_, more, log);
+    std::string words = read_text(log);
+    if (exit != 0) {
+      throw InputError(fmt::format("duarouter could not route the demand (exit {}; {}):\n{}", exit, log.string(),
+                                   words.substr(words.size() > 2000 ? words.size() - 2000 : 0)));
+    }
+    return words;
+  }
+
+ private:
+  void add(std::string name, std::string value) {
+    common_.push_back(std::move(name));
+    common_.push_back(std::move(value));
+  }
+
+  fs::path program_;
+  fs::path folder_;
+  std::vector<std::string> common_;
+};
+
+/// The first message that names a vehicle, by its id: "Warning: ... vehicle 'x' ...".
+std::unordered_map<std::string, std::string> reasons_of(const std::string& log) {
+  std::unordered_map<std::string, std::string> reasons;
+  for (const auto line : split(log, "\n\r")) {
+    constexpr std::string_view mark = "vehicle '";
+    const auto at = line.find(mark);
+    if (at == std::string_view::npos) continue;
+    const auto id = line.substr(at + mark.size());
+    const auto end = id.find('\'');
+    if (end == std::string_view::npos) continue;
+    constexpr std::string_view warning = "Warning: ";
+    reasons.try_emplace(std::string(id.substr(0, end)),
+                        line.starts_with(warning) ? line.substr(warning.size()) : line);
+  }
+  return reasons;
+}
+
+/// The way points of a vehicle: its own, or those of the flow it came from ("flow.3").
+std::string via_of(const std::string& id, const InputScan& scan) {
+  auto found = scan.via.find(id);
+  if (found == scan.via.end()) found = scan.via.find(id.substr(0, id.rfind('.')));
+  return found == scan.via.end() ? std::string() : found->second;
+}
+
+/// The arms' file of vehicles: types in front, what duarouter dropped on the way noted in `demand`.
+void write_given(const fs::path& routed, const fs::path& types_file, const TypeClasses& other_types,
+                 const InputScan& scan, const Network& network, const DemandFiles& files, Demand& demand) {
+  TypeClasses types = other_types;
+  read_types(types_file, types);
+  xml::Writer writer(files.given(), "prepared by thalweg: the same demand for every arm");
+  writer.open("routes");
+  xml::read_nodes(types_file, [](const xml::Element&) {}, [&](xml::Node& node) {
+    if (const std::string* id = node.find("id"); id != nullptr && other_types.contains(*id)) return;
+    strip_rerouting(node);
+    write_node(writer, node);
+  });
+  xml::read_nodes(routed, [](const xml::Element&) {}, [&](xml::Node& node) {
+    strip_rerouting(node);
+    if (node.name != "vehicle") return write_node(writer, node);
+    const std::string& id = node.require("id");
+    const auto type = node.value_or("type", "DEFAULT_VEHTYPE");
+    if (!types.contains(std::string(type))) {
+      demand.dropped.push_back({.id = id, .reason = fmt::format("the vehicle type '{}' is not defined", type)});
+      return;
+    }
+    if (auto via = via_of(id, scan); !via.empty()) node.set("via", std::move(via));
+    demand.vehicles.push_back(describe_vehicle(node, network, types));
+    write_node(writer, node);
+  });
+  writer.commit();
+}
+
+/// Adds those who were in the input and are not in the output.
+void note_unrouted(const InputScan& scan, const std::string& log, Demand& demand) {
+  std::unordered_set<std::string> present;
+  for (const DemandVehicle& vehicle : demand.vehicles) present.insert(vehicle.id);
+  for (const DroppedVehicle& vehicle : demand.dropped) present.insert(vehicle.id);
+  auto reasons = reasons_of(log);
+  for (const auto& id : scan.ids) {
+    if (present.contains(id)) continue;
+    const auto reason = reasons.find(id);
+    demand.dropped.push_back({.id = id,
+                              .reason = reason == reasons.end() ? "departs before the begin, or duarouter left it out"
+                                                                : reason->second});
+    reasons.erase(id);
+  }
+  std::vector<DroppedVehicle> of_flows;
+  for (const auto& [id, reason] : reasons) {
+    if (!present.contains(id) && !scan.seen.contains(id)) of_flows.push_back({.id = id, .reason = reason});
+  }
+  std::sort(of_flows.begin(), of_flows.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  demand.dropped.insert(demand.dropped.end(), of_flows.begin(), of_flows.end());
+}
+
+/// The given file with free-flow routes in place of the given ones. Who has no other way keeps his.
+void write_free_flow(const Duarouter& duarouter, const DemandFiles& files, const Demand& demand) {
+  const fs::path trips = files.folder / "static.trips.xml";
+  const fs::path routed = files.folder / "static.routed.xml";
+  std::unordered_set<std::string> fixed;
+  for (const DemandVehicle& vehicle : demand.vehicles) {
+    if (vehicle.fixed) fixed.insert(vehicle.id);
+  }
+  {
+    xml::Writer writer(trips, "the given vehicles as trips");
+    writer.open("routes");
+    xml::read_nodes(files.given(), [](const xml::Element&) {}, [&](xml::Node& node) {
+      const auto id = node.value_or("id", "");
+      const std::string edges = route_edges(node);
+      const auto roads = split(edges, " ");
+      if (node.name == "vehicle" && !roads.empty() && !fixed.contains(std::string(id))) {
+        node.name = "trip";
+        std::erase_if(node.children, [](const xml::Node& child) { return child.name == "route"; });
+        node.set("from", std::string(roads.front()));
+        node.set("to", std::string(roads.back()));
+        write_node(writer, node);
+      } else if (node.name == "vType" || node.name == "vTypeDistribution") {
+        write_node(writer, node);
+      }
+    });
+    writer.commit();
+  }
+  duarouter.route(trips.string(), routed, {});
+  const RoutesById routes = read_routes(routed);
+  xml::Writer writer(files.free_flow(), "prepared by thalweg: the same demand, every route the fastest on empty roads");
+  writer.open("routes");
+  xml::read_nodes(files.given(), [](const xml::Element&) {}, [&](xml::Node& node) {
+    const auto route = routes.find(std::string(node.value_or("id", "")));
+    if (node.name == "vehicle" && route != routes.end() && !route->second.empty()) {
+      for (xml::Node& child : node.children) {
+        if (child.name == "route") child.set("edges", route->second);
+      }
+    }
+    write_node(writer, node);
+  });
+  writer.commit();
+  fs::remove(trips);
+  fs::remove(routed);
+}
+
+void write_dropped(const DemandFiles& files, const std::vector<DroppedVehicle>& dropped) {
+  xml::Writer writer(files.dropped(), "vehicles left out of every arm, and why");
+  writer.open("dropped");
+  for (const auto& [id, reason] : dropped) {
+    writer.open("vehicle").attribute("id", id).attribute("reason", reason).close();
+  }
+  writer.commit();
+}
+
+}  // namespace
+
+Demand prepare_demand(const Settings& settings, const Network& network, const SumoInstallation& sumo,
+                      const DemandFiles& files) {
+  fs::create_directories(files.folder);
+  const Duarouter duarouter(settings, sumo, files.folder);
+  InputScan scan;
+  TypeClasses other_types = default_types();
+  std::string inputs;
+  int number = 0;
+  const auto scan_all = [&](std::string_view option, bool is_additional) {
+    for (const auto& file : file_list(settings.find(option).value_or(""))) {
+      const fs::path copy = files.folder / fmt::format("input.{}.xml", number++);
+      if (is_additional) read_types(file, other_types);
+      if (!scan_demand(file, copy, network, is_additional, scan)) continue;
+      if (is_additional) {  // duarouter reads the demand of additional files itself: only looked at here
+        fs::remove(copy);
+        continue;
+      }
+      inputs += (inputs.empty() ? "" : ",") + copy.string();
+    }
+  };
+  scan_all("additional-files", true);
+  scan_all("route-files", false);
+  verify(!scan.seen.empty(), "the configuration has no demand: no vehicle, trip or flow in its route files");
+
+  Demand demand;
+  const fs::path routed = files.folder / "routed.xml";
+  const fs::path types = files.folder / "types.xml";
+  std::vector<std::string> more{"--vtype-output", types.string()};
+  if (const auto end = settings.find("end"); end && scan.has_open_flows) more.insert(more.end(), {"--end", *end});
+  const std::string log = duarouter.route(inputs, routed, more);
+  demand.dropped = scan.dropped;
+  write_given(routed, types, other_types, scan, network, files, demand);
+  note_unrouted(scan, log, demand);
+  if (scan.has_given_routes) {
+    write_free_flow(duarouter, files, demand);
+  } else {
+    fs::copy_file(files.given(), files.free_flow(), fs::copy_options::overwrite_existing);
+  }
+  write_dropped(files, demand.dropped);
+  for (int i = 0; i < number; ++i) fs::remove(files.folder / fmt::format("input.{}.xml", i));
+  fs::remove(routed);
+  fs::remove(types);
+  return demand;
+}
+
+Demand read_prepared_demand(const Settings& settings, const Network& network, const DemandFiles& files) {
+  Demand demand;
+  TypeClasses types = default_types();
+  for (const auto& file : file_list(settings.find("additional-files").value_or(""))) read_types(file, types);
+  read_vehicles(files.given(), network, types, demand);
+  xml::read_nodes(files.dropped(), [](const xml::Element&) {}, [&](const xml::Node& node) {
+    demand.dropped.push_back({.id = node.require("id"), .reason = std::string(node.value_or("reason", ""))});
+  });
+  return demand;
+}
+
+}  // namespace thalweg

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "demand/vehicle_file.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "core/number.hpp"
+#include "demand/additional.hpp"
+
+namespace thalweg {
+namespace {
+
+const auto any_root = [](const xml::Element&) {};
+
+void add_type(const xml::Node& node, TypeClasses& types) {
+  if (node.name == "vType") {
+    const auto known = parse_vehicle_class(node.value_or("vClass", "passenger"));
+    types[node.require("id")] = known.value_or(VehicleClass::passenger);
+  }
+  if (node.name == "vTypeDistribution" && node.find("id") != nullptr) {
+    types.try_emplace(node.require("id"), VehicleClass::passenger);
+  }
+  if (node.name == "vTypeDistribution") {
+    for (const xml::Node& child : node.children) add_type(child, types);
+  }
+}
+
+bool is_public_transport(const xml::Node& vehicle, VehicleClass vehicle_class) {
+  const bool has_stops = std::any_of(vehicle.children.begin(), vehicle.children.end(),
+                                     [](const xml::Node& child) { return child.name == "stop"; });
+  const bool is_bus = vehicle_class == VehicleClass::bus || vehicle_class == VehicleClass::coach;
+  return vehicle.find("line") != nullptr || is_guided(vehicle_class) || vehicle_class == VehicleClass::taxi ||
+         vehicle_class == VehicleClass::pedestrian || (is_bus && has_stops);
+}
+
+}  // namespace
+
+void read_types(const std::filesystem::path& file, TypeClasses& types) {
+  xml::read_nodes(file, any_root, [&](const xml::Node& node) { add_type(node, types); });
+}
+
+TypeClasses default_types() {
+  return {{"DEFAULT_VEHTYPE", VehicleClass::passenger}, {"DEFAULT_BIKETYPE", VehicleClass::bicycle},
+          {"DEFAULT_TAXITYPE", VehicleClass::taxi},     {"DEFAULT_RAILTYPE", VehicleClass::rail},
+          {"DEFAULT_PEDTYPE", VehicleClass::pedestrian}, {"DEFAULT_CONTAINERTYPE", VehicleClass::container}};
+}
+
+std::string route_edges(const xml::Node& vehicle) {
+  for (const xml::Node& child : vehicle.children) {
+    if (child.name == "route") return std::string(child.value_or("edges", ""));
+  }
+  return {};
+}
+
+RoutesById read_routes(const std::filesystem::path& file) {
+  RoutesById routes;
+  xml::read_nodes(file, any_root, [&](const xml::Node& node) {
+    if (node.name == "vehicle") routes.emplace(node.require("id"), route_edges(node));
+  });
+  return routes;
+}
+
+DemandVehicle describe_vehicle(const xml::Node& vehicle, const Network& network, const TypeClasses& types) {
+  DemandVehicle described;
+  described.id = vehicle.require("id");
+  described.depart = parse_time(vehicle.value_or("depart", ""));
+  const auto type = types.find(std::string(vehicle.value_or("type", "DEFAULT_VEHTYPE")));
+  if (type != types.end()) described.vehicle_class = type->second;
+  described.fixed = !described.depart || is_public_transport(vehicle, described.vehicle_class);
+  for (const auto road : split(vehicle.value_or("via", ""), " \t\r\n")) {
+    if (const auto found = network.find_road(road)) described.via.push_back(*found);
+  }
+  return described;
+}
+
+void read_vehicles(const std::filesystem::path& file, const Network& network, const TypeClasses& types, Demand& out) {
+  TypeClasses known = types;
+  read_types(file, known);
+  xml::read_nodes(file, any_root, [&](const xml::Node& node) {
+    if (node.name == "vehicle") out.vehicles.push_back(describe_vehicle(node, network, known));
+  });
+}
+
+void strip_rerouting(xml::Node& node) {
+  std::erase_if(node.children, [](const xml::Node& child) {
+    return child.name == "param" && switches_rerouting(child.value_or("key", ""));
+  });
+  for (xml::Node& child : node.children) strip_rerouting(child);
+}
+
+}  // namespace thalweg

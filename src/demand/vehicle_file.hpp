@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "demand/demand.hpp"
+#include "xml/node.hpp"
+
+namespace thalweg {
+
+using TypeClasses = std::unordered_map<std::string, VehicleClass>;  ///< by id of the type
+using RoutesById = std::unordered_map<std::string, std::string>;    ///< `edges` by id of the vehicle
+
+/// The vehicle types that a file defines, those in distributions included, with their classes.
+void read_types(const std::filesystem::path& file, TypeClasses& types);
+/// The types that every SUMO has.
+TypeClasses default_types();
+
+/// The routes of a file of vehicles.
+RoutesById read_routes(const std::filesystem::path& file);
+
+/// The vehicles of a prepared file, in its order.
+void read_vehicles(const std::filesystem::path& file, const Network& network, const TypeClasses& types, Demand& out);
+
+/// A prepared vehicle as the demand has it; reads its attributes and stops only.
+DemandVehicle describe_vehicle(const xml::Node& vehicle, const Network& network, const TypeClasses& types);
+
+/// Leaves out the parameters that would hand the vehicle or type to SUMO's own router.
+void strip_rerouting(xml::Node& node);
+
+/// The edges of its <route> child; empty when it has none.
+std::string route_edges(const xml::Node& vehicle);
+
+}  // namespace thalweg
