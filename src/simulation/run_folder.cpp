@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulation/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "demand/additional.hpp"
+#include "xml/writer.hpp"
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a run decides itself or has no use for.
+bool is_replaced(const std::string& name) {
+  static constexpr std::array<std::string_view, 12> names{
+      "configuration-file", "save-configuration", "save-template", "save-schema", "save-commented", "route-files",
+      "additional-files",   "output-prefix",      "random",        "seed",        "scale",          "remote-port"};
+  return std::find(names.begin(), names.end(), name) != names.end() || name.starts_with("device.rerouting.");
+}
+
+/// An output that we read must be XML under a known name; the user's name is kept where it is one.
+fs::path readable_output(Settings& run, OutputPlaces& places, std::string_view option, std::string_view file) {
+  const std::string value = run.find(option).value_or("");
+  const bool is_xml = value.ends_with(".xml") || value.ends_with(".xml.gz");
+  if (!is_xml) run.set(option, places.place(file, places.folder()));
+  return *run.find(option);
+}
+
+/// The mean speeds of every road, from which maps are drawn.
+fs::path write_edge_data(const fs::path& folder) {
+  const fs::path file = folder / "thalweg.add.xml";
+  xml::Writer writer(file, "written by thalweg");
+  writer.open("additional");
+  writer.open("edgeData").attribute("id", "thalweg").attribute("file", "edgedata.xml").attribute("excludeEmpty", "true");
+  writer.commit();
+  return file;
+}
+
+}  // namespace
+
+RunFolder make_run_folder(const fs::path& folder, const Settings& user, const SumoOptions& options,
+                          const DemandFiles& demand, const ArmSpec& arm, std::uint64_t seed) {
+  const fs::path home = fs::absolute(folder).lexically_normal();
+  fs::create_directories(home);
+  OutputPlaces places(home, user.find("output-prefix").value_or(""));
+  Settings run;
+  for (const auto& [name, value] : user.all()) {
+    const auto* option = options.find(name);
+    if (is_replaced(name) || option == nullptr) continue;
+    run.set(name, SumoOptions::is_output(name, option->second) ? places.place(value, home) : value);
+  }
+  RunFolder result{.folder = home, .configuration = home / "run.sumocfg", .tripinfo = {}, .statistics = {}, .errors = {}};
+  result.tripinfo = readable_output(run, places, "tripinfo-output", "tripinfo.xml");
+  result.statistics = readable_output(run, places, "statistic-output", "statistics.xml");
+  if (!run.find("error-log")) run.set("error-log", places.place("sumo.log", home));
+  result.errors = *run.find("error-log");
+  run.set("tripinfo-output.write-unfinished", "true");
+  run.set("tripinfo-output.write-undeparted", "true");
+  run.set("no-step-log", "true");
+  run.set("ignore-route-errors", "true");  // checked by duarouter; what SUMO still drops is counted as discarded
+  run.set("seed", std::to_string(seed));
+  run.set("route-files", fs::absolute(arm.free_flow_routes ? demand.free_flow() : demand.given()).string());
+
+  std::string additional;
+  int number = 0;
+  for (const auto& file : file_list(user.find("additional-files").value_or(""))) {
+    const fs::path copy = home / fmt::format("additional.{}.xml", number++);
+    rewrite_additional(file, copy, places);
+    additional += copy.string() + ",";
+  }
+  run.set("additional-files", additional + write_edge_data(home).string());
+  for (const auto& [name, value] : arm.settings) run.set(name, value);
+  write_configuration(result.configuration, fmt::format("arm {}, seed {}", arm.name, seed), run.all());
+  return result;
+}
+
+}  // namespace thalweg

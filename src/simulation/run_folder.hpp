@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "demand/prepare.hpp"
+#include "simulation/arm.hpp"
+
+namespace thalweg {
+
+/// The folder of one run: SUMO's configuration as it was run, and every output.
+struct RunFolder {
+  std::filesystem::path folder;
+  std::filesystem::path configuration;  ///< run.sumocfg: for a baseline plain `sumo -c` repeats the run
+  std::filesystem::path tripinfo;
+  std::filesystem::path statistics;
+  std::filesystem::path errors;         ///< SUMO's warnings and errors
+};
+
+/// Makes the folder ready: the user's configuration with the prepared demand in place of his, outputs and
+/// detectors' files moved into the folder, device.rerouting as the arm has it and nothing else.
+RunFolder make_run_folder(const std::filesystem::path& folder, const Settings& user, const SumoOptions& options,
+                          const DemandFiles& demand, const ArmSpec& arm, std::uint64_t seed);
+
+}  // namespace thalweg
