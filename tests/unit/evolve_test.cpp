@@ -116,6 +116,21 @@ TEST(Evolve, FreeArcsToATargetAreFollowed) {
   EXPECT_EQ(path<Direction::forward>(instance.graph, tree, targets[0]), arcs({1, 2, 3, 4}));
 }
 
+// Only the origin has a region, and an unsettled run before left 1 in the scratch's queue.
+TEST(Evolve, GoesBeyondTheRegionsWithAUsedScratch) {
+  Regions regions;
+  Tree tree;
+  EvolveScratch scratch;
+  const auto run = [&](std::span<const VertexId> until, EvolutionLimit limit) {
+    partition<Direction::forward>(detour().graph, std::span(&origin, 1), regions, until);
+    hybrid<Direction::forward>(detour().graph, regions, detour(), tree);
+    return evolve<Direction::forward>(detour().graph, regions, detour(), tree, scratch, limit).settled;
+  };
+  EXPECT_FALSE(run({}, {.max_rounds = 1}));
+  EXPECT_TRUE(run(std::span(&origin, 1), {}));
+  EXPECT_EQ(tree.label, (Labels{0, 2, 1, 3, 4}));
+}
+
 TEST(Evolve, OfNothingAndOfOneVertex) {
   Tree tree;
   EvolveScratch scratch;
