@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <compare>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,7 +17,10 @@ struct DijkstraScratch {
   struct Entry {
     Millis label;
     VertexId vertex;
-    auto operator<=>(const Entry&) const = default;
+    /// The other way round: the standard's heaps keep the greatest on top.
+    friend bool operator<(const Entry& a, const Entry& b) {
+      return a.label != b.label ? a.label > b.label : a.vertex.value > b.vertex.value;
+    }
   };
   std::vector<Entry> heap;
 };
@@ -41,13 +42,13 @@ void dijkstra(const Digraph& graph, std::span<const VertexId> sources, const C& 
     out.label[v] = label;
     out.parent[v] = parent;
     heap.push_back({.label = label, .vertex = v});
-    std::push_heap(heap.begin(), heap.end(), std::greater<>{});
+    std::push_heap(heap.begin(), heap.end());
   };
   for (const VertexId source : sources) reach(source, 0, ArcId{});
 
   std::size_t met = 0;  // targets[0 .. met) are settled
   while (!heap.empty()) {
-    std::pop_heap(heap.begin(), heap.end(), std::greater<>{});
+    std::pop_heap(heap.begin(), heap.end());
     const auto [label, u] = heap.back();
     heap.pop_back();
     if (label > out.label[u]) continue;  // a cheaper entry came first

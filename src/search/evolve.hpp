@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <span>
@@ -32,6 +34,47 @@ struct EvolveScratch {
   IdVector<VertexId, std::uint8_t> queued;  ///< 1: awaits its turn in this round or the next
 };
 
+namespace detail {
+
+/// From this many vertices on, ordering a round costs less than it saves.
+inline constexpr std::size_t worth_ordering = 1'000;
+
+/// Puts the vertices of `frontier` whose label is below `bound` roughly in the order of their labels
+/// (counting sort by the leading bits of the label; equal ones keep their order) and drops the others, which
+/// leave the queue. A round goes over its vertices in any order that it likes; in this one it lowers most
+/// labels once.
+inline void order_frontier(const Tree& tree, Millis bound, EvolveScratch& scratch) {
+  auto& [frontier, ordered, queued] = scratch;
+  Millis least = infinity;
+  Millis greatest = 0;
+  for (const VertexId v : frontier) {
+    const Millis label = tree.label[v];
+    if (label >= bound) continue;
+    least = std::min(least, label);
+    greatest = std::max(greatest, label);
+  }
+  constexpr int key_bits = 10;
+  const auto range = static_cast<std::uint64_t>(std::max<Millis>(0, greatest - least));
+  const int shift = std::max(0, static_cast<int>(std::bit_width(range)) - key_bits);
+  const auto key = [&](VertexId v) { return static_cast<std::size_t>((tree.label[v] - least) >> shift); };
+  std::array<std::uint32_t, (1U << key_bits) + 1> first{};
+  for (const VertexId v : frontier) {
+    if (tree.label[v] < bound) ++first[key(v) + 1];
+  }
+  for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
+  ordered.resize(first.back());
+  for (const VertexId v : frontier) {
+    if (tree.label[v] < bound) {
+      ordered[first[key(v)]++] = v;
+    } else {
+      queued[v] = 0;
+    }
+  }
+  std::swap(frontier, ordered);
+}
+
+}  // namespace detail
+
 /// The paper's evolutionary hybrid: Sigma[u] = min over all x in beta(u) of Sigma[x] + w(x, u), until nothing
 /// changes. `tree` is what `hybrid<direction>` made of `regions` and the same costs; it ends as the tree of
 /// least cost. Rounds work in place: the first looks at all of `regions.order`, each later one at the
@@ -52,10 +95,6 @@ struct EvolveScratch {
 /// candidate dist[v] was not taken. So it was cut: dist[v] >= bound >= B > dist[t], against costs >= 0.
 /// Candidates equal to the bound may be cut because they improve no target strictly. The parents of exact t:
 /// label[t] >= label[p] + cost >= dist[p] + cost >= dist[t] = label[t], so p is exact, and so on to the root.
-///
-/// Why a vertex whose parent awaits its turn is passed over: the parent's label fell after it gave this one
-/// its own, so the parent's turn lowers this label and queues it again, or finds the sum beyond the bound,
-/// where the old label was even more so.
 template <Direction direction, ArcCost C>
 Evolution evolve(const Digraph& graph, const Regions& regions, const C& cost, Tree& tree,
                  EvolveScratch& scratch, EvolutionLimit limit = {}, std::span<const VertexId> targets = {}) {
@@ -70,15 +109,12 @@ Evolution evolve(const Digraph& graph, const Regions& regions, const C& cost, Tr
   for (; !frontier.empty() && result.rounds < max_rounds; ++result.rounds) {
     Millis bound = targets.empty() ? infinity : 0;
     for (const VertexId target : targets) bound = std::max(bound, tree.label[target]);
+    if (frontier.size() >= detail::worth_ordering) detail::order_frontier(tree, bound, scratch);
     next.clear();
     for (const VertexId u : frontier) {
       queued[u] = 0;
       const Millis label = tree.label[u];
       if (label >= bound) continue;
-      if (const ArcId parent = tree.parent[u];
-          parent.valid() && queued[root_end<direction>(graph.ends(parent))] != 0) {
-        continue;
-      }
       for (const Arc& arc : graph.leaving<direction>(u)) {
         assert(cost(arc.id) >= 0);
         const Millis candidate = add_saturating(label, cost(arc.id));

@@ -25,8 +25,8 @@ std::vector<Answer> answers(const Digraph& graph, const Tree& tree, std::span<co
 }
 
 template <Direction direction>
-SearchUnderTest hybrid_search(std::string name) {
-  return {.name = std::move(name),
+SearchUnderTest hybrid_search(const std::string& name) {
+  return {.name = name,
           .direction = direction,
           .exact = false,
           .run = [regions = Regions{}, tree = Tree{}](const Instance& instance, VertexId root,
@@ -39,8 +39,8 @@ SearchUnderTest hybrid_search(std::string name) {
 }
 
 template <Direction direction>
-SearchUnderTest evolved_search(std::string name) {
-  return {.name = std::move(name),
+SearchUnderTest evolved_search(const std::string& name) {
+  return {.name = name,
           .direction = direction,
           .exact = true,
           .run = [regions = Regions{}, tree = Tree{}, scratch = EvolveScratch{}](
@@ -57,8 +57,8 @@ SearchUnderTest evolved_search(std::string name) {
 }
 
 template <Direction direction>
-SearchUnderTest dijkstra_search(std::string name) {
-  return {.name = std::move(name),
+SearchUnderTest dijkstra_search(const std::string& name) {
+  return {.name = name,
           .direction = direction,
           .exact = true,
           .run = [tree = Tree{}, scratch = DijkstraScratch{}](const Instance& instance, VertexId root,

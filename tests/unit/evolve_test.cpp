@@ -13,7 +13,6 @@ namespace {
 using testing::arcs;
 using testing::Instance;
 using testing::make_instance;
-using testing::vertices;
 using Labels = IdVector<VertexId, Millis>;
 
 struct Evolved {
@@ -117,6 +116,21 @@ TEST(Evolve, FreeArcsToATargetAreFollowed) {
   EXPECT_EQ(path<Direction::forward>(instance.graph, tree, targets[0]), arcs({1, 2, 3, 4}));
 }
 
+// Only the origin has a region, and an unsettled run before left 1 in the scratch's queue.
+TEST(Evolve, GoesBeyondTheRegionsWithAUsedScratch) {
+  Regions regions;
+  Tree tree;
+  EvolveScratch scratch;
+  const auto run = [&](std::span<const VertexId> until, EvolutionLimit limit) {
+    partition<Direction::forward>(detour().graph, std::span(&origin, 1), regions, until);
+    hybrid<Direction::forward>(detour().graph, regions, detour(), tree);
+    return evolve<Direction::forward>(detour().graph, regions, detour(), tree, scratch, limit).settled;
+  };
+  EXPECT_FALSE(run({}, {.max_rounds = 1}));
+  EXPECT_TRUE(run(std::span(&origin, 1), {}));
+  EXPECT_EQ(tree.label, (Labels{0, 2, 1, 3, 4}));
+}
+
 TEST(Evolve, OfNothingAndOfOneVertex) {
   Tree tree;
   EvolveScratch scratch;
@@ -144,6 +158,30 @@ TEST(Evolve, CheaperThanTheDearestTargetIsExact) {
     }
   }
   EXPECT_GT(cut_vertices, 100U) << "nothing was cut: the test shows nothing";
+}
+
+// Frontiers this large are put in order first: with costs of every size, all free, and some closed.
+TEST(Evolve, IsExactOnLargeFrontiers) {
+  constexpr std::size_t side = 40;
+  static_assert(side * side >= detail::worth_ordering);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Instance instance = testing::random_grid(side, seed, 1);
+    instance.costs = testing::random_costs(instance.costs.size(), seed);
+    if (seed % 4 == 1) {
+      for (Millis& cost : instance.costs) cost *= 1'000'000'000;
+    }
+    testing::Dice dice(seed);
+    const VertexId source{dice.roll(side * side)};
+    const VertexId targets[] = {VertexId{dice.roll(side * side)}, VertexId{dice.roll(side * side)}};
+    const auto least = testing::least_costs(instance, source, Direction::backward);
+    const Evolved all = evolved<Direction::backward>(instance, source);
+    const Evolved cut = evolved<Direction::backward>(instance, source, {}, targets);
+    ASSERT_TRUE(all.evolution.settled && cut.evolution.settled);
+    for (std::size_t i = 0; i < least.size(); ++i)
+      ASSERT_EQ(all.tree.label[VertexId{i}], least[i]) << "seed " << seed;
+    for (const VertexId target : targets)
+      ASSERT_EQ(cut.tree.label[target], least[target.value]) << "seed " << seed;
+  }
 }
 
 // However few rounds: every label has a path that costs no more.
