@@ -127,13 +127,14 @@ void Options::set(const OptionSpec& spec, std::string value, bool from_command_l
   if (spec.type == "FLOAT" && !parse_number(value)) fail("number");
   if (spec.type == "TIME" && !parse_time(value)) fail("time (seconds or [d:]h:m:s)");
   values_[spec.name] = {.text = std::move(value), .from_command_line = from_command_line};
-  if (!from_command_line) return;
 }
 
 bool Options::is_set(std::string_view name) const {
   const OptionSpec* spec = find(name);
   return spec != nullptr && values_.find(name)->second.text != spec->default_value;
 }
+
+bool Options::on_command_line(std::string_view name) const { return values_.find(name)->second.from_command_line; }
 
 const std::string& Options::text(std::string_view name) const { return values_.find(name)->second.text; }
 

@@ -35,7 +35,8 @@ class Options {
   /// Takes a setting of a configuration file unless the command line has it. False: it is not one of ours.
   bool take(const Setting& setting);
 
-  [[nodiscard]] bool is_set(std::string_view name) const;  ///< on the command line or in a configuration
+  [[nodiscard]] bool is_set(std::string_view name) const;  ///< differs from its default
+  [[nodiscard]] bool on_command_line(std::string_view name) const;
   [[nodiscard]] const std::string& text(std::string_view name) const;
   [[nodiscard]] bool flag(std::string_view name) const;
   [[nodiscard]] double number(std::string_view name) const;

@@ -70,6 +70,8 @@ DemandVehicle describe_vehicle(const xml::Node& vehicle, const Network& network,
   for (const auto road : split(vehicle.value_or("via", ""), " \t\r\n")) {
     if (const auto found = network.find_road(road)) described.via.push_back(*found);
   }
+  const std::string edges = route_edges(vehicle);
+  if (const auto roads = split(edges, " "); !roads.empty()) described.destination = roads.back();
   return described;
 }
 

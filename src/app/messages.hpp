@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "simulation/simulation.hpp"
+
+namespace thalweg {
+
+/// "Warning: ..." on the error stream.
+void warn(std::string_view text);
+
+/// "Loading net-file from 'x' ... done (10ms)." when verbose.
+class Stage {
+ public:
+  Stage(bool verbose, std::string_view text);
+  ~Stage();
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+ private:
+  bool verbose_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// A line that is rewritten while a simulation runs: simulated time, vehicles, speed, time left. Nothing unless
+/// the error stream is a terminal.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  void show(const Simulation& simulation);
+  void show(std::string_view text);
+
+ private:
+  bool is_terminal_;
+  std::size_t width_ = 0;
+  Millis begin_ = -1;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point last_;
+};
+
+/// Set by Ctrl-C (SIGINT) and SIGTERM once `catch_interrupts` was called. The signal goes on to the children
+/// that are registered meanwhile.
+extern std::atomic<bool> interrupted;
+void catch_interrupts();
+void register_child(int pid);
+void forget_child(int pid);
+
+}  // namespace thalweg

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/project.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "app/messages.hpp"
+#include "core/error.hpp"
+#include "core/nearest.hpp"
+#include "graph/road_graph.hpp"
+#include "network/read_network.hpp"
+#include "simulation/control.hpp"
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Options of ours that are SUMO's as well: the command line overrides the user's configuration.
+constexpr std::array<std::string_view, 9> shared_with_sumo{
+    "net-file", "route-files", "additional-files",      "begin", "end", "step-length", "weights.minor-penalty",
+    "weights.turnaround-penalty", "weights.tls-penalty"};
+
+std::string seconds(Millis t) { return fmt::format("{}", to_seconds(t)); }
+
+void read_user_configuration(Options& options, Project& project) {
+  const fs::path file(options.text("configuration-file"));
+  std::vector<std::string> names = project.catalogue.names();
+  for (const auto& spec : options.specs()) names.push_back(spec.name);
+  for (const Setting& setting : read_configuration(file)) {
+    const auto* option = project.catalogue.find(setting.name);
+    const std::string name = option == nullptr ? setting.name : option->first;
+    const bool ours = options.take({.name = name, .value = setting.value});
+    if (option == nullptr && !ours) {
+      throw InputError(fmt::format("{}: no option with the name '{}' exists{}", file.string(), setting.name,
+                                   did_you_mean(setting.name, names)));
+    }
+    if (option == nullptr) continue;
+    const bool is_input = SumoOptions::is_input(name, option->second);
+    project.settings.set(name, is_input ? resolve_files(setting.value, fs::absolute(file).parent_path()) : setting.value);
+  }
+}
+
+void apply_command_line(const Options& options, Project& project) {
+  for (const auto name : shared_with_sumo) {
+    if (!options.is_set(name) || project.settings.find(name) == options.text(name)) continue;
+    const auto* option = project.catalogue.find(name);
+    if (option == nullptr) continue;
+    const bool from_configuration = project.settings.find(name).has_value() && !options.on_command_line(name);
+    if (from_configuration) continue;
+    const bool is_input = SumoOptions::is_input(name, option->second);
+    project.settings.set(name, is_input ? resolve_files(options.text(name), fs::current_path()) : options.text(name));
+  }
+  if (options.is_set("output-prefix")) project.settings.set("output-prefix", options.text("output-prefix"));
+}
+
+void check_files(const Settings& settings) {
+  verify(settings.find("net-file").has_value(),
+         "no net-file: name a configuration with -c, or a network with -n (and its demand with -r)");
+  for (const char* option : {"net-file", "route-files", "additional-files"}) {
+    for (const auto& file : file_list(settings.find(option).value_or(""))) {
+      verify(fs::exists(file), fmt::format("the {} '{}' does not exist", option, file));
+    }
+  }
+}
+
+void make_output_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  const fs::path probe = folder / ".thalweg-probe";
+  try {
+    if (!error) OutputFile(probe).commit();
+  } catch (const InputError&) {
+    error = std::make_error_code(std::errc::permission_denied);
+  }
+  if (error) throw InputError(fmt::format("cannot write to the folder '{}': {}", folder.string(), error.message()));
+  fs::remove(probe);
+}
+
+}  // namespace
+
+std::vector<OptionSpec> project_options() {
+  const ControlOptions control;
+  const ChoiceRule rule = StrategyOptions{}.rule;
+  const auto& penalties = control.penalties;
+  return {
+      {"input", "configuration-file", 'c', "FILE", "", "Your .sumocfg, unchanged"},
+      {"input", "net-file", 'n', "FILE", "", "The network, instead of the configuration's"},
+      {"input", "route-files", 'r', "FILE", "", "The demand, instead of the configuration's"},
+      {"input", "additional-files", 'a', "FILE", "", "Additional files, instead of the configuration's"},
+      {"input", "prepared", 0, "FILE", "", "Takes the demand that an earlier run prepared in this folder"},
+      {"input", "strict", 0, "BOOL", "false", "A vehicle that cannot be routed is an error"},
+      {"output", "output-folder", 'o', "FILE", "thalweg-output", "Where every output goes"},
+      {"output", "output-prefix", 0, "STR", "", "Is put before the name of SUMO's outputs"},
+      {"time", "begin", 'b', "TIME", "0", "Begin of the simulation"},
+      {"time", "end", 'e', "TIME", "-1", "End of the simulation; -1: when all have arrived"},
+      {"time", "step-length", 0, "TIME", "1", "SUMO's step"},
+      {"routing", "period", 0, "STR", seconds(control.period), "Every vehicle reconsiders once a period; 'step': at each step"},
+      {"routing", "window", 0, "TIME", seconds(control.window), "Travel times are averaged over this time"},
+      {"routing", "share", 0, "FLOAT", fmt::format("{}", control.share), "Share of the vehicles that is ours, by a hash of their ids"},
+      {"routing", "gain.relative", 0, "FLOAT", fmt::format("{}", rule.relative), "A vehicle changes when it gains more than this share of the time left"},
+      {"routing", "gain.spread", 0, "FLOAT", fmt::format("{}", rule.spread), "and up to this share on top, different for each vehicle"},
+      {"routing", "gain.absolute", 0, "TIME", seconds(rule.absolute), "and more than this time"},
+      {"routing", "weights.minor-penalty", 0, "TIME", seconds(penalties.minor), "Penalty for a turn that gives way"},
+      {"routing", "weights.turnaround-penalty", 0, "TIME", seconds(penalties.turnaround), "Penalty for a turn-around"},
+      {"routing", "weights.tls-penalty", 0, "TIME", seconds(penalties.signal), "Penalty for a signalled turn"},
+      {"routing", "threads", 0, "INT", "1", "Threads of the router; the result does not depend on them"},
+      {"routing", "stall", 0, "TIME", seconds(control.stall), "A run without an end stops when nothing has arrived for so long"},
+  };
+}
+
+Project load_project(Options& options) {
+  Project project;
+  project.sumo = find_sumo();
+  require_tool(project.sumo.sumo, "sumo");
+  prepare_environment(project.sumo);
+  const fs::path configuration(options.text("configuration-file"));
+  verify(configuration.empty() || fs::exists(configuration),
+         fmt::format("the configuration '{}' does not exist", configuration.string()));
+  project.output = fs::absolute(options.text("output-folder")).lexically_normal();
+  make_output_folder(project.output);
+  project.catalogue = SumoOptions::ask(project.sumo.sumo, project.output);
+  if (!configuration.empty()) read_user_configuration(options, project);
+  apply_command_line(options, project);
+  check_files(project.settings);
+
+  const bool verbose = options.flag("verbose");
+  {
+    const std::string net = *project.settings.find("net-file");
+    const Stage stage(verbose, fmt::format("Loading net-file from '{}'", net));
+    project.network = read_network(net);
+  }
+  for (const auto& warning : project.network.warnings) warn(warning);
+  const bool prepared = !options.text("prepared").empty();
+  project.demand_files = DemandFiles(prepared ? fs::path(options.text("prepared")) : project.output / "demand");
+  const Stage stage(verbose, prepared ? "Reading the prepared demand" : "Preparing the demand");
+  project.demand = prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
+                            : prepare_demand(project.settings, project.network, project.sumo, project.demand_files);
+  const auto& dropped = project.demand.dropped;
+  if (!dropped.empty() && !prepared) {
+    const std::string text = fmt::format("{} vehicle(s) or flow(s) cannot be routed and are left out of every arm: '{}' ({}){}; see {}",
+                                         dropped.size(), dropped.front().id, dropped.front().reason,
+                                         dropped.size() > 1 ? " .." : "", project.demand_files.dropped().string());
+    verify(!options.flag("strict"), text);
+    warn(text);
+  }
+  return project;
+}
+
+}  // namespace thalweg

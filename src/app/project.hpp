@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "app/options.hpp"
+#include "demand/prepare.hpp"
+#include "sumo/installation.hpp"
+#include "sumo/options.hpp"
+
+namespace thalweg {
+
+/// What `run` and `compare` start from: the user's configuration with what the command line says on top.
+struct Project {
+  SumoInstallation sumo;
+  SumoOptions catalogue;
+  Settings settings;  ///< SUMO's, by their proper names, paths absolute
+  std::filesystem::path output;
+  Network network;
+  Demand demand;
+  DemandFiles demand_files{std::filesystem::path()};
+};
+
+/// The options that `run` and `compare` share.
+std::vector<OptionSpec> project_options();
+
+/// Reads the configuration and the net, and prepares the demand (or reads the one named by --prepared).
+Project load_project(Options& options);
+
+}  // namespace thalweg

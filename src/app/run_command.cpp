@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "app/project.hpp"
+#include "core/error.hpp"
+#include "core/number.hpp"
+#include "report/comparison.hpp"
+#include "report/decisions.hpp"
+#include "report/table.hpp"
+#include "simulation/control.hpp"
+#include "simulation/run_folder.hpp"
+#include "simulation/sumo_module.hpp"
+
+namespace thalweg {
+namespace {
+
+namespace fs = std::filesystem;
+
+ControlOptions control_options(const Options& options) {
+  ControlOptions control;
+  control.period = 0;
+  if (options.text("period") != "step") {
+    const auto period = parse_time(options.text("period"));
+    verify(period.has_value() && *period > 0, fmt::format("--period {}: this is neither a time above 0 nor 'step'",
+                                                          options.text("period")));
+    control.period = *period;
+  }
+  control.window = options.time("window");
+  verify(control.window > 0, "--window must be above 0");
+  control.share = options.number("share");
+  verify(control.share >= 0 && control.share <= 1, "--share must be from 0 to 1");
+  control.stall = options.time("stall");
+  control.penalties = {.minor = options.time("weights.minor-penalty"),
+                       .turnaround = options.time("weights.turnaround-penalty"),
+                       .signal = options.time("weights.tls-penalty")};
+  control.log_decisions = !options.text("decision-output").empty();
+  return control;
+}
+
+StrategyOptions strategy_options(const Options& options) {
+  const auto threads = options.count("threads");
+  verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
+  return {.rule = {.relative = options.number("gain.relative"),
+                   .spread = options.number("gain.spread"),
+                   .absolute = options.time("gain.absolute")},
+          .threads = threads};
+}
+
+std::vector<DemandedTrip> demanded(const Demand& demand) {
+  std::vector<DemandedTrip> trips;
+  trips.reserve(demand.vehicles.size());
+  for (const DemandVehicle& vehicle : demand.vehicles) {
+    trips.push_back({.id = vehicle.id,
+                     .depart = vehicle.depart.value_or(0),
+                     .fixed = vehicle.fixed,
+                     .destination = vehicle.destination});
+  }
+  return trips;
+}
+
+void tell_end(const RunResult& result, Millis stall) {
+  if (result.reason == StopReason::stalled) {
+    warn(fmt::format("nothing has arrived for {} s: the run is stopped at {} s (see --stall)", format_seconds(stall),
+                     format_seconds(result.end)));
+  }
+  if (result.reason == StopReason::interrupted) {
+    warn(fmt::format("interrupted at {} s; the outputs are complete up to there", format_seconds(result.end)));
+  }
+  if (result.refused > 0) warn(fmt::format("SUMO refused {} route(s); those vehicles kept theirs", result.refused));
+}
+
+/// Runs the arm in its folder and fills the summary. What goes wrong is thrown.
+RunResult simulate(const Options& options, const Project& project, const ArmSpec& arm, const RunFolder& folder,
+                   RunSummary& summary) {
+  const ControlOptions control_with = control_options(options);
+  const auto strategy = arm.ours ? make_strategy(arm.name, strategy_options(options)) : nullptr;
+  std::vector<std::string> names;
+  for (const DemandVehicle& vehicle : project.demand.vehicles) names.push_back(vehicle.id);
+  SessionSetup setup{.arguments = {"-c", folder.configuration.string()}, .network = &project.network, .vehicles = &names};
+  setup.arguments.insert(setup.arguments.end(), options.for_sumo().begin(), options.for_sumo().end());
+
+  const auto start = std::chrono::steady_clock::now();
+  RunResult result;
+  {
+    const auto simulation = open_sumo(setup);
+    ProgressLine progress;
+    result = control(
+        *simulation, project.network, project.demand, strategy.get(), control_with,
+        [&](const Simulation& running) { progress.show(running); }, interrupted);
+    simulation->close();
+  }
+  summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  read_trips(folder.tripinfo, demanded(project.demand), result.end, summary);
+  read_statistics(folder.statistics, summary);
+  if (arm.ours) summary.reroutes = result.reroutes;
+  summary.router_cpu_s = arm.ours ? result.router_cpu_s : 0;
+  summary.simulation_cpu_s = result.simulation_cpu_s;
+  if (!options.text("decision-output").empty()) {
+    const fs::path file = project.output / options.text("decision-output");
+    write_decisions(file, fmt::format("thalweg {}, strategy {}", THALWEG_VERSION, arm.name), project.network,
+                    project.demand, result);
+  }
+  tell_end(result, control_with.stall);
+  return result;
+}
+
+}  // namespace
+
+Options run_options() {
+  auto specs = project_options();
+  specs.push_back({"routing", "strategy", 0, "STR", "evolved", "hybrid, evolved, dijkstra; or SUMO's own: given, static, one-shot, device[:setting=value,..]"});
+  specs.push_back({"random", "seed", 0, "INT", "23423", "SUMO's seed"});
+  specs.push_back({"output", "decision-output", 0, "FILE", "", "Every routing decision, in the output folder"});
+  return {"run", "one headless run of SUMO with one router in charge", std::move(specs)};
+}
+
+int run_command(std::span<const std::string> arguments) {
+  Options options = run_options();
+  options.parse(arguments);
+  if (options.answered()) return 0;
+  catch_interrupts();
+  const Project project = load_project(options);
+  const ArmSpec arm = parse_arm(options.text("strategy"), project.catalogue);
+  const RunFolder folder = make_run_folder(project.output, project.settings, project.catalogue, project.demand_files,
+                                           arm, options.count("seed"));
+  RunSummary summary;
+  summary.arm = arm.name;
+  summary.seed = options.count("seed");
+  summary.dropped = project.demand.dropped.size();
+  try {
+    const RunResult result = simulate(options, project, arm, folder, summary);
+    if (result.reason == StopReason::interrupted) {
+      summary.exit = 1;
+      summary.error = "interrupted";
+    }
+  } catch (const InputError& error) {
+    const std::string words = read_text(folder.errors);
+    summary.exit = 1;
+    summary.error = trimmed(words).empty() ? error.what() : fmt::format("{}\n{}", error.what(), trimmed(words));
+    write_json(summary, folder.folder / "run.json");
+    throw InputError(summary.error);
+  }
+  write_json(summary, folder.folder / "run.json");
+  if (options.text("prepared").empty()) {
+    const Comparison alone{.thalweg = THALWEG_VERSION,
+                           .sumo = sumo_library_version(),
+                           .configuration = options.text("configuration-file"),
+                           .command = {},
+                           .seeds = {summary.seed},
+                           .arms = {{.name = arm.name, .runs = {summary}}}};
+    fmt::print("{}", format_table(alone));
+  }
+  return summary.exit;
+}
+
+}  // namespace thalweg
