@@ -20,27 +20,28 @@ std::size_t width_of(std::string_view text) {
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// Rows of cells: the first column to the left, the others to the right.
+using Cells = std::vector<std::string>;
+
+/// A title, and below it columns: the labels to the left, all others to the right.
 class TextTable {
  public:
-  TextTable(std::string title, std::vector<std::string> head) : title_(std::move(title)) {
-    rows_.push_back(std::move(head));
+  TextTable(std::string title, Cells labels, std::size_t label_width)
+      : title_(std::move(title)), labels_(std::move(labels)), label_width_(label_width) {}
+
+  void column(std::string head, Cells cells) {
+    cells.insert(cells.begin(), std::move(head));
+    columns_.push_back(std::move(cells));
   }
 
-  void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-
-  void print(std::string& out, std::size_t first_width) const {
-    if (rows_.size() < 2) return;
-    std::vector<std::size_t> widths(rows_.front().size(), 0);
-    widths.front() = first_width;
-    for (const auto& row : rows_) {
-      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
-    }
+  void print(std::string& out) const {
     out += fmt::format("\n{}\n", title_);
-    for (const auto& row : rows_) {
-      std::string line = "  " + row.front() + std::string(widths.front() - width_of(row.front()), ' ');
-      for (std::size_t i = 1; i < row.size(); ++i) {
-        line += "  " + std::string(widths[i] - width_of(row[i]), ' ') + row[i];
+    for (std::size_t row = 0; row <= labels_.size(); ++row) {
+      const std::string label = row == 0 ? "" : labels_[row - 1];
+      std::string line = "  " + label + std::string(label_width_ - width_of(label), ' ');
+      for (const Cells& column : columns_) {
+        std::size_t width = 0;
+        for (const auto& cell : column) width = std::max(width, width_of(cell));
+        line += "  " + std::string(width - width_of(column[row]), ' ') + column[row];
       }
       line.erase(line.find_last_not_of(' ') + 1);
       out += line + '\n';
@@ -49,7 +50,9 @@ class TextTable {
 
  private:
   std::string title_;
-  std::vector<std::vector<std::string>> rows_;
+  Cells labels_;
+  std::size_t label_width_;
+  std::vector<Cells> columns_{};
 };
 
 std::string decimals(double value, int digits, bool sign = false) {
@@ -140,103 +143,175 @@ double mean_over_runs(const Arm& arm, Value value) {
   return estimate_over_runs(arm, value).mean;
 }
 
+/// A cell an arm.
+template <class Cell>
+Cells cells_of(const std::vector<const Arm*>& arms, Cell cell) {
+  Cells cells;
+  for (const Arm* arm : arms) cells.push_back(cell(*arm));
+  return cells;
+}
+
+/// The mean over each arm's runs.
+template <class Value>
+Cells means_of(const std::vector<const Arm*>& arms, int digits, Value value) {
+  return cells_of(arms, [&](const Arm& arm) { return decimals(mean_over_runs(arm, value), digits); });
+}
+
+/// The mean of a count: whole numbers when all are whole, else one decimal in the whole column.
+template <class Value>
+Cells counts_of(const std::vector<const Arm*>& arms, Value value) {
+  const bool whole = std::ranges::all_of(arms, [&](const Arm* arm) {
+    const double mean = mean_over_runs(*arm, value);
+    return !std::isfinite(mean) || mean == std::floor(mean);
+  });
+  return means_of(arms, whole ? 0 : 1, value);
+}
+
+std::vector<const Arm*> all_arms(const Comparison& comparison) {
+  std::vector<const Arm*> arms;
+  for (const Arm& arm : comparison.arms) arms.push_back(&arm);
+  return arms;
+}
+
 void print_times(const Comparison& comparison, const Labels& labels, std::string& out) {
-  TextTable table("A trip, on average, in s (± 95 % over seeds) and m",
-                  {"", "commute", "duration", "depart delay", "time loss", "route length", "runs"});
-  for (std::size_t i = 0; i < comparison.arms.size(); ++i) {
-    const Arm& arm = comparison.arms[i];
-    const auto mean = [&](double Group::*member) {
-      return mean_over_runs(arm, [&](const RunSummary& run) { return run.all.*member; });
-    };
-    const std::size_t good = succeeded(arm);
-    table.add(
-        {labels.of_arm[i], with_interval(commute(arm)), decimals(mean(&Group::duration_mean), 1),
-         decimals(mean(&Group::depart_delay_mean), 1), decimals(mean(&Group::time_loss_mean), 1),
-         decimals(mean(&Group::route_length_mean), 0),
-         good == arm.runs.size() ? fmt::format("{}", good) : fmt::format("{} of {}", good, arm.runs.size())});
-  }
-  table.print(out, labels.width);
+  const auto arms = all_arms(comparison);
+  const auto mean = [&](double Group::*member, int digits) {
+    return means_of(arms, digits, [&](const RunSummary& run) { return run.all.*member; });
+  };
+  TextTable table("Commute of all vehicles that were due; the rest of those that finished: means in s and m",
+                  labels.of_arm, labels.width);
+  table.column("commute", cells_of(arms, [](const Arm& arm) { return with_interval(commute(arm)); }));
+  table.column("duration", mean(&Group::duration_mean, 1));
+  table.column("depart delay", mean(&Group::depart_delay_mean, 1));
+  table.column("time loss", mean(&Group::time_loss_mean, 1));
+  table.column("route length", mean(&Group::route_length_mean, 0));
+  table.column("runs", cells_of(arms, [](const Arm& arm) {
+                 const std::size_t good = succeeded(arm);
+                 return good == arm.runs.size() ? fmt::format("{}", good)
+                                                : fmt::format("{} of {}", good, arm.runs.size());
+               }));
+  table.print(out);
 }
 
 void print_vehicles(const Comparison& comparison, const Labels& labels, std::string& out) {
-  TextTable table("Vehicles at the end of a run",
-                  {"", "vehicles", "finished", "running", "waiting", "dropped", "discarded", "not loaded"});
-  for (std::size_t i = 0; i < comparison.arms.size(); ++i) {
-    const Arm& arm = comparison.arms[i];
-    const auto mean = [&](std::uint64_t Group::*member) {
-      return count_text(mean_over_runs(arm, [&](const RunSummary& run) { return run.all.*member; }));
-    };
-    table.add({labels.of_arm[i], mean(&Group::vehicles), mean(&Group::finished), mean(&Group::running),
-               mean(&Group::waiting),
-               count_text(mean_over_runs(arm, [](const RunSummary& run) { return run.dropped; })),
-               mean(&Group::discarded), mean(&Group::not_loaded)});
-  }
-  table.print(out, labels.width);
+  const auto arms = all_arms(comparison);
+  const auto count = [&](std::uint64_t Group::*member) {
+    return counts_of(arms, [&](const RunSummary& run) { return run.all.*member; });
+  };
+  TextTable table("Vehicles at the end of a run", labels.of_arm, labels.width);
+  table.column("vehicles", count(&Group::vehicles));
+  table.column("finished", count(&Group::finished));
+  table.column("running", count(&Group::running));
+  table.column("waiting", count(&Group::waiting));
+  table.column("dropped", counts_of(arms, [](const RunSummary& run) { return run.dropped; }));
+  table.column("discarded", count(&Group::discarded));
+  table.column("not loaded", count(&Group::not_loaded));
+  table.print(out);
 }
 
 void print_effort(const Comparison& comparison, const Labels& labels, std::string& out) {
-  TextTable table(
-      "Teleports by reason, re-routings, CPU time in s, of a run",
-      {"", "jam", "yield", "wrong lane", "collision", "re-routings", "CPU router", "CPU simulation"});
-  for (std::size_t i = 0; i < comparison.arms.size(); ++i) {
-    const Arm& arm = comparison.arms[i];
-    const auto teleports = [&](std::uint64_t Teleports::*member) {
-      return count_text(mean_over_runs(arm, [&](const RunSummary& run) { return run.teleports.*member; }));
-    };
-    const double router = mean_over_runs(arm, [](const RunSummary& run) { return run.router_cpu_s; });
-    // SUMO's own routers work inside the simulation: their time cannot be told apart.
-    const bool inside = router == 0 && is_sumo_arm(arm.name);
-    table.add({labels.of_arm[i], teleports(&Teleports::jam), teleports(&Teleports::yield),
-               teleports(&Teleports::wrong_lane), teleports(&Teleports::collision),
-               decimals(mean_over_runs(arm, [](const RunSummary& run) { return run.reroutes; }), 0),
-               inside ? "-" : decimals(router, 1),
-               decimals(mean_over_runs(arm, [](const RunSummary& run) { return run.simulation_cpu_s; }), 1)});
-  }
-  table.print(out, labels.width);
+  const auto arms = all_arms(comparison);
+  const auto teleports = [&](std::uint64_t Teleports::*member) {
+    return counts_of(arms, [&](const RunSummary& run) { return run.teleports.*member; });
+  };
+  TextTable table("Teleports by reason, re-routings, and CPU time in s, of a run", labels.of_arm,
+                  labels.width);
+  table.column("jam", teleports(&Teleports::jam));
+  table.column("yield", teleports(&Teleports::yield));
+  table.column("wrong lane", teleports(&Teleports::wrong_lane));
+  table.column("collision", teleports(&Teleports::collision));
+  table.column("re-routings", means_of(arms, 0, [](const RunSummary& run) { return run.reroutes; }));
+  table.column("CPU router", cells_of(arms, [](const Arm& arm) -> std::string {
+                 const double mean =
+                     mean_over_runs(arm, [](const RunSummary& run) { return run.router_cpu_s; });
+                 // SUMO's own routers work inside the simulation: their time cannot be told apart.
+                 return mean == 0 && is_sumo_arm(arm.name) ? "-" : decimals(mean, 1);
+               }));
+  table.column("CPU simulation",
+               means_of(arms, 1, [](const RunSummary& run) { return run.simulation_cpu_s; }));
+  table.print(out);
 }
 
 void print_fixed(const Comparison& comparison, const Labels& labels, std::string& out) {
-  TextTable table("Fixed vehicles (buses and others that may not be re-routed), part of the above",
-                  {"", "vehicles", "finished", "commute", "duration", "depart delay"});
-  for (std::size_t i = 0; i < comparison.arms.size(); ++i) {
-    const Arm& arm = comparison.arms[i];
-    const auto of_fixed = [&](auto member) {
-      return estimate_over_runs(arm, [&](const RunSummary& run) { return run.fixed.*member; });
-    };
-    if (!(of_fixed(&Group::vehicles).mean > 0)) continue;
-    table.add({labels.of_arm[i], count_text(of_fixed(&Group::vehicles).mean),
-               count_text(of_fixed(&Group::finished).mean), with_interval(of_fixed(&Group::commute_mean)),
-               decimals(of_fixed(&Group::duration_mean).mean, 1),
-               decimals(of_fixed(&Group::depart_delay_mean).mean, 1)});
+  std::vector<const Arm*> arms;
+  Cells names;
+  for (const Arm& arm : comparison.arms) {
+    if (!(mean_over_runs(arm, [](const RunSummary& run) { return run.fixed.vehicles; }) > 0)) continue;
+    arms.push_back(&arm);
+    names.push_back(labels.find(comparison.arms, arm.name));
   }
-  table.print(out, labels.width);
+  if (arms.empty()) return;
+  const auto count = [&](std::uint64_t Group::*member) {
+    return counts_of(arms, [&](const RunSummary& run) { return run.fixed.*member; });
+  };
+  const auto mean = [&](double Group::*member) {
+    return means_of(arms, 1, [&](const RunSummary& run) { return run.fixed.*member; });
+  };
+  TextTable table("Fixed vehicles (buses and others that may not be re-routed), part of the above", names,
+                  labels.width);
+  table.column("commute", cells_of(arms, [](const Arm& arm) {
+                 return with_interval(
+                     estimate_over_runs(arm, [](const RunSummary& run) { return run.fixed.commute_mean; }));
+               }));
+  table.column("duration", mean(&Group::duration_mean));
+  table.column("depart delay", mean(&Group::depart_delay_mean));
+  table.column("vehicles", count(&Group::vehicles));
+  table.column("finished", count(&Group::finished));
+  table.print(out);
+}
+
+/// "-29.9 to -23.9", each times `unit`.
+std::string range_text(const Estimate& estimate, double unit) {
+  if (!estimate.half_width) return "-";
+  return fmt::format("{} to {}", decimals(*estimate.low() * unit, 1, true),
+                     decimals(*estimate.high() * unit, 1, true));
 }
 
 void print_differences(const Comparison& comparison, const Labels& labels, std::string& out) {
   const auto all = differences(comparison);
   bool marked = false;
   for (const char* baseline : baselines) {
-    TextTable table(fmt::format("Mean commute less that of {}, seed by seed", baseline),
-                    {"", "s", "95 %", "percent", "95 %", "", "correlation", "more seeds for ±1 %"});
+    Cells names;
+    Cells seconds;
+    Cells second_ranges;
+    Cells percents;
+    Cells percent_ranges;
+    Cells marks;
+    Cells welch_ranges;
+    Cells correlations;
+    Cells more_seeds;
     for (const Difference& difference : all) {
       if (difference.baseline != baseline) continue;
       const Estimate& paired = difference.paired;
       const double percent = 100 / difference.baseline_mean;
-      const auto interval = [&](double unit, int digits) -> std::string {
-        if (!paired.half_width) return "-";
-        return fmt::format("{} to {}", decimals(*paired.low() * unit, digits, true),
-                           decimals(*paired.high() * unit, digits, true));
-      };
+      names.push_back(labels.find(comparison.arms, difference.arm));
+      seconds.push_back(decimals(paired.mean, 1, true));
+      second_ranges.push_back(range_text(paired, 1));
+      percents.push_back(decimals(paired.mean * percent, 1, true));
+      percent_ranges.push_back(range_text(paired, percent));
+      marks.emplace_back(paired.differs_from_zero() ? "*" : "");
+      welch_ranges.push_back(range_text(difference.welch, 1));
+      correlations.push_back(difference.correlation ? decimals(*difference.correlation, 2, true) : "-");
+      more_seeds.push_back(difference.more_seeds ? fmt::format("{}", *difference.more_seeds) : "-");
       marked = marked || paired.differs_from_zero();
-      table.add({labels.find(comparison.arms, difference.arm), decimals(paired.mean, 1, true), interval(1, 1),
-                 decimals(paired.mean * percent, 1, true), interval(percent, 1),
-                 paired.differs_from_zero() ? "*" : "",
-                 difference.correlation ? decimals(*difference.correlation, 2, true) : "-",
-                 difference.more_seeds ? fmt::format("{}", *difference.more_seeds) : "-"});
     }
-    table.print(out, labels.width);
+    if (names.empty()) continue;
+    TextTable table(fmt::format("Mean commute less that of {}, seed by seed", baseline), std::move(names),
+                    labels.width);
+    table.column("s", std::move(seconds));
+    table.column("95 %", std::move(second_ranges));
+    table.column("percent", std::move(percents));
+    table.column("95 %", std::move(percent_ranges));
+    table.column("", std::move(marks));
+    table.column("unpaired, s", std::move(welch_ranges));
+    table.column("correlation", std::move(correlations));
+    table.column("more seeds", std::move(more_seeds));
+    table.print(out);
   }
   if (marked) out += "  * the interval does not contain 0\n";
+  if (std::ranges::any_of(all, [](const Difference& difference) { return difference.more_seeds > 0U; })) {
+    out += "  more seeds: how many it takes until the interval is ±1 % of the baseline's mean\n";
+  }
 }
 
 /// "static 12.5, evolved 3" for the arms where `value` is above 0 on average.
