@@ -30,13 +30,10 @@ std::string version_of(const fs::path& tool) {
   const std::string text = read_text(log);
   std::error_code ignored;
   fs::remove(log, ignored);
-  for (const auto line : split(text, "\n")) {
-    const auto at = line.find("Version ");
-    if (exit == 0 && at != std::string_view::npos) {
-      return fmt::format("{} ({})", tool.string(), trimmed(line.substr(at)));
-    }
-  }
-  return tool.empty() ? "" : fmt::format("{} (does not run: {})", tool.string(), trimmed(text.substr(0, 200)));
+  const auto lines = split(text, "\n");
+  if (exit == 0 && !lines.empty()) return fmt::format("{} ({})", tool.string(), trimmed(lines.front()));
+  return tool.empty() ? ""
+                      : fmt::format("{} (does not run: {})", tool.string(), trimmed(text.substr(0, 200)));
 }
 
 }  // namespace
@@ -64,8 +61,9 @@ int doctor_command(std::span<const std::string> arguments) {
   const char* user_home = std::getenv("SUMO_HOME");
   std::error_code ignored;
   if (user_home != nullptr && !sumo.home.empty() && !fs::equivalent(user_home, sumo.home, ignored)) {
-    fmt::print("Warning: $SUMO_HOME is {}, but thalweg was built against {}: unset it, or build with it set.\n",
-               user_home, sumo.home.string());
+    fmt::print(
+        "Warning: $SUMO_HOME is {}, but thalweg was built against {}: unset it, or build with it set.\n",
+        user_home, sumo.home.string());
   }
   const auto number = library.substr(std::min(library.find(' ') + 1, library.size()));
   if (!library.empty() && binary.find(number) == std::string::npos) {

@@ -10,14 +10,14 @@
 
 namespace thalweg {
 
-std::atomic<bool> interrupted{false};
+std::atomic<bool> stop_requested{false};
 
 namespace {
 
 std::array<std::atomic<int>, 64> children{};
 
 void on_signal(int signal) {
-  interrupted = true;
+  stop_requested = true;
   for (const auto& child : children) {
     if (child != 0) kill(child, signal);
   }

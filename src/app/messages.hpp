@@ -26,8 +26,8 @@ class Stage {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A line that is rewritten while a simulation runs: simulated time, vehicles, speed, time left. Nothing unless
-/// the error stream is a terminal.
+/// A line that is rewritten while a simulation runs: simulated time, vehicles, speed, time left. Nothing
+/// unless the error stream is a terminal.
 class ProgressLine {
  public:
   ProgressLine();
@@ -47,7 +47,7 @@ class ProgressLine {
 
 /// Set by Ctrl-C (SIGINT) and SIGTERM once `catch_interrupts` was called. The signal goes on to the children
 /// that are registered meanwhile.
-extern std::atomic<bool> interrupted;
+extern std::atomic<bool> stop_requested;
 void catch_interrupts();
 void register_child(int pid);
 void forget_child(int pid);

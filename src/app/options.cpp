@@ -27,11 +27,16 @@ bool is_boolean(std::string_view text) {
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '"') out += "&quot;";
-    else out += c;
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
   }
   return out;
 }
@@ -52,8 +57,10 @@ Options::Options(std::string command, std::string summary, std::vector<OptionSpe
     : command_(std::move(command)), summary_(std::move(summary)), specs_(std::move(specs)) {
   specs_.push_back({"report", "verbose", 'v', "BOOL", "false", "Says what is being done"});
   specs_.push_back({"report", "help", '?', "BOOL", "false", "Prints this screen"});
-  specs_.push_back({"configuration", "save-configuration", 'C', "FILE", "", "Saves these options as a configuration"});
-  specs_.push_back({"configuration", "save-template", 0, "FILE", "", "Saves the options there are, with their help"});
+  specs_.push_back(
+      {"configuration", "save-configuration", 'C', "FILE", "", "Saves these options as a configuration"});
+  specs_.push_back(
+      {"configuration", "save-template", 0, "FILE", "", "Saves the options there are, with their help"});
   for (const OptionSpec& spec : specs_) values_[spec.name] = {.text = spec.default_value};
 }
 
@@ -64,7 +71,9 @@ void Options::parse(std::span<const std::string> arguments) {
   for (auto argument = arguments.begin(); argument != end; ++argument) {
     // "--verbose false" is SUMO's way; Boost takes an optional value only after '='.
     const bool after_flag = !own.empty() && own.back().starts_with("-") && is_boolean(*argument);
-    const OptionSpec* flag = after_flag ? find(std::string_view(own.back()).substr(own.back().starts_with("--") ? 2 : 1)) : nullptr;
+    const OptionSpec* flag =
+        after_flag ? find(std::string_view(own.back()).substr(own.back().starts_with("--") ? 2 : 1))
+                   : nullptr;
     if (flag != nullptr && flag->type == "BOOL") {
       own.back() = fmt::format("--{}={}", flag->name, *argument);
     } else {
@@ -76,19 +85,20 @@ void Options::parse(std::span<const std::string> arguments) {
   for (const OptionSpec& spec : specs_) {
     auto* value = po::value<std::string>();
     if (spec.type == "BOOL") value->implicit_value("true");
-    const std::string name = spec.short_name == 0 ? spec.name : fmt::format("{},{}", spec.name, spec.short_name);
+    const std::string name =
+        spec.short_name == 0 ? spec.name : fmt::format("{},{}", spec.name, spec.short_name);
     description.add_options()(name.c_str(), value);
     names.push_back(spec.name);
   }
   try {
-    const auto parsed = po::command_line_parser(own)
-                            .options(description)
-                            .positional({})
-                            .style(po::command_line_style::unix_style & ~po::command_line_style::allow_guessing)
-                            .run();
+    const auto parsed =
+        po::command_line_parser(own)
+            .options(description)
+            .positional({})
+            .style(po::command_line_style::unix_style & ~po::command_line_style::allow_guessing)
+            .run();
     for (const auto& option : parsed.options) {
-      verify(!option.value.empty(), fmt::format("'{}' is no option", option.string_key));
-      set(*find(option.string_key), option.value.front(), true);
+      set(*find(option.string_key), option.value.empty() ? "true" : option.value.front(), true);
     }
   } catch (const po::unknown_option& error) {
     const auto name = trimmed(error.get_option_name());
@@ -96,7 +106,8 @@ void Options::parse(std::span<const std::string> arguments) {
     throw InputError(fmt::format("there is no option '{}'{}; 'thalweg {} --help' lists them", name,
                                  did_you_mean(bare, names), command_));
   } catch (const po::too_many_positional_options_error&) {
-    const auto stray = std::find_if(own.begin(), own.end(), [](const auto& a) { return !a.starts_with("-"); });
+    const auto stray =
+        std::find_if(own.begin(), own.end(), [](const auto& a) { return !a.starts_with("-"); });
     throw InputError(fmt::format("'{}' belongs to no option; 'thalweg {} --help' lists them",
                                  stray == own.end() ? "an argument" : *stray, command_));
   } catch (const po::error& error) {
@@ -134,7 +145,9 @@ bool Options::is_set(std::string_view name) const {
   return spec != nullptr && values_.find(name)->second.text != spec->default_value;
 }
 
-bool Options::on_command_line(std::string_view name) const { return values_.find(name)->second.from_command_line; }
+bool Options::on_command_line(std::string_view name) const {
+  return values_.find(name)->second.from_command_line;
+}
 
 const std::string& Options::text(std::string_view name) const { return values_.find(name)->second.text; }
 
@@ -154,14 +167,16 @@ std::uint64_t Options::count(std::string_view name) const {
 Millis Options::time(std::string_view name) const { return *parse_time(text(name)); }
 
 std::string Options::help() const {
-  std::string out = fmt::format("thalweg {}: {}\n\nUsage: thalweg {} [options]\n", command_, summary_, command_);
+  std::string out =
+      fmt::format("thalweg {}: {}\n\nUsage: thalweg {} [options]\n", command_, summary_, command_);
   std::string section;
   for (const OptionSpec& spec : specs_) {
     if (spec.section != section) out += fmt::format("\n{}:\n", spec.section);
     section = spec.section;
     const std::string name = spec.short_name == 0 ? fmt::format("      --{}", spec.name)
                                                   : fmt::format("  -{}, --{}", spec.short_name, spec.name);
-    out += fmt::format("{:<36} {}", spec.type == "BOOL" ? name : fmt::format("{} {}", name, spec.type), spec.help);
+    out += fmt::format("{:<36} {}", spec.type == "BOOL" ? name : fmt::format("{} {}", name, spec.type),
+                       spec.help);
     if (!spec.default_value.empty() && spec.type != "BOOL") out += fmt::format(" [{}]", spec.default_value);
     out += '\n';
   }
@@ -169,18 +184,21 @@ std::string Options::help() const {
 }
 
 std::string Options::to_xml(bool values) const {
-  std::string out = fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\n<!-- thalweg {} {} -->\n\n<configuration>\n",
-                                command_, THALWEG_VERSION);
+  std::string out =
+      fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\n<!-- thalweg {} {} -->\n\n<configuration>\n",
+                  command_, THALWEG_VERSION);
   std::vector<std::string> sections;
   for (const OptionSpec& spec : specs_) {
-    if (std::find(sections.begin(), sections.end(), spec.section) == sections.end()) sections.push_back(spec.section);
+    if (std::find(sections.begin(), sections.end(), spec.section) == sections.end())
+      sections.push_back(spec.section);
   }
   for (const auto& section : sections) {
     std::string body;
     for (const OptionSpec& spec : specs_) {
       const bool is_meta = spec.name == "help" || spec.name.starts_with("save-");
       if (spec.section != section || (values && (is_meta || !is_set(spec.name)))) continue;
-      body += fmt::format("        <{} value=\"{}\"", spec.name, escaped(values ? text(spec.name) : spec.default_value));
+      body += fmt::format("        <{} value=\"{}\"", spec.name,
+                          escaped(values ? text(spec.name) : spec.default_value));
       if (!values) {
         if (spec.short_name != 0) body += fmt::format(" synonymes=\"{}\"", spec.short_name);
         body += fmt::format(" type=\"{}\" help=\"{}\"", spec.type, escaped(spec.help));

@@ -11,6 +11,7 @@
 #include "graph/road_graph.hpp"
 #include "network/read_network.hpp"
 #include "simulation/control.hpp"
+#include "xml/writer.hpp"
 
 namespace thalweg {
 namespace {
@@ -18,9 +19,15 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Options of ours that are SUMO's as well: the command line overrides the user's configuration.
-constexpr std::array<std::string_view, 9> shared_with_sumo{
-    "net-file", "route-files", "additional-files",      "begin", "end", "step-length", "weights.minor-penalty",
-    "weights.turnaround-penalty", "weights.tls-penalty"};
+constexpr std::array<std::string_view, 9> shared_with_sumo{"net-file",
+                                                           "route-files",
+                                                           "additional-files",
+                                                           "begin",
+                                                           "end",
+                                                           "step-length",
+                                                           "weights.minor-penalty",
+                                                           "weights.turnaround-penalty",
+                                                           "weights.tls-penalty"};
 
 std::string seconds(Millis t) { return fmt::format("{}", to_seconds(t)); }
 
@@ -38,7 +45,8 @@ void read_user_configuration(Options& options, Project& project) {
     }
     if (option == nullptr) continue;
     const bool is_input = SumoOptions::is_input(name, option->second);
-    project.settings.set(name, is_input ? resolve_files(setting.value, fs::absolute(file).parent_path()) : setting.value);
+    project.settings.set(
+        name, is_input ? resolve_files(setting.value, fs::absolute(file).parent_path()) : setting.value);
   }
 }
 
@@ -50,7 +58,8 @@ void apply_command_line(const Options& options, Project& project) {
     const bool from_configuration = project.settings.find(name).has_value() && !options.on_command_line(name);
     if (from_configuration) continue;
     const bool is_input = SumoOptions::is_input(name, option->second);
-    project.settings.set(name, is_input ? resolve_files(options.text(name), fs::current_path()) : options.text(name));
+    project.settings.set(
+        name, is_input ? resolve_files(options.text(name), fs::current_path()) : options.text(name));
   }
   if (options.is_set("output-prefix")) project.settings.set("output-prefix", options.text("output-prefix"));
 }
@@ -74,7 +83,8 @@ void make_output_folder(const fs::path& folder) {
   } catch (const InputError&) {
     error = std::make_error_code(std::errc::permission_denied);
   }
-  if (error) throw InputError(fmt::format("cannot write to the folder '{}': {}", folder.string(), error.message()));
+  if (error)
+    throw InputError(fmt::format("cannot write to the folder '{}': {}", folder.string(), error.message()));
   fs::remove(probe);
 }
 
@@ -96,17 +106,25 @@ std::vector<OptionSpec> project_options() {
       {"time", "begin", 'b', "TIME", "0", "Begin of the simulation"},
       {"time", "end", 'e', "TIME", "-1", "End of the simulation; -1: when all have arrived"},
       {"time", "step-length", 0, "TIME", "1", "SUMO's step"},
-      {"routing", "period", 0, "STR", seconds(control.period), "Every vehicle reconsiders once a period; 'step': at each step"},
+      {"routing", "period", 0, "STR", seconds(control.period),
+       "Every vehicle reconsiders once a period; 'step': at each step"},
       {"routing", "window", 0, "TIME", seconds(control.window), "Travel times are averaged over this time"},
-      {"routing", "share", 0, "FLOAT", fmt::format("{}", control.share), "Share of the vehicles that is ours, by a hash of their ids"},
-      {"routing", "gain.relative", 0, "FLOAT", fmt::format("{}", rule.relative), "A vehicle changes when it gains more than this share of the time left"},
-      {"routing", "gain.spread", 0, "FLOAT", fmt::format("{}", rule.spread), "and up to this share on top, different for each vehicle"},
+      {"routing", "share", 0, "FLOAT", fmt::format("{}", control.share),
+       "Share of the vehicles that is ours, by a hash of their ids"},
+      {"routing", "gain.relative", 0, "FLOAT", fmt::format("{}", rule.relative),
+       "A vehicle changes when it gains more than this share of the time left"},
+      {"routing", "gain.spread", 0, "FLOAT", fmt::format("{}", rule.spread),
+       "and up to this share on top, different for each vehicle"},
       {"routing", "gain.absolute", 0, "TIME", seconds(rule.absolute), "and more than this time"},
-      {"routing", "weights.minor-penalty", 0, "TIME", seconds(penalties.minor), "Penalty for a turn that gives way"},
-      {"routing", "weights.turnaround-penalty", 0, "TIME", seconds(penalties.turnaround), "Penalty for a turn-around"},
-      {"routing", "weights.tls-penalty", 0, "TIME", seconds(penalties.signal), "Penalty for a signalled turn"},
+      {"routing", "weights.minor-penalty", 0, "TIME", seconds(penalties.minor),
+       "Penalty for a turn that gives way"},
+      {"routing", "weights.turnaround-penalty", 0, "TIME", seconds(penalties.turnaround),
+       "Penalty for a turn-around"},
+      {"routing", "weights.tls-penalty", 0, "TIME", seconds(penalties.signal),
+       "Penalty for a signalled turn"},
       {"routing", "threads", 0, "INT", "1", "Threads of the router; the result does not depend on them"},
-      {"routing", "stall", 0, "TIME", seconds(control.stall), "A run without an end stops when nothing has arrived for so long"},
+      {"routing", "stall", 0, "TIME", seconds(control.stall),
+       "A run without an end stops when nothing has arrived for so long"},
   };
 }
 
@@ -133,15 +151,18 @@ Project load_project(Options& options) {
   }
   for (const auto& warning : project.network.warnings) warn(warning);
   const bool prepared = !options.text("prepared").empty();
-  project.demand_files = DemandFiles(prepared ? fs::path(options.text("prepared")) : project.output / "demand");
+  project.demand_files =
+      DemandFiles(prepared ? fs::path(options.text("prepared")) : project.output / "demand");
   const Stage stage(verbose, prepared ? "Reading the prepared demand" : "Preparing the demand");
-  project.demand = prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
-                            : prepare_demand(project.settings, project.network, project.sumo, project.demand_files);
+  project.demand =
+      prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
+               : prepare_demand(project.settings, project.network, project.sumo, project.demand_files);
   const auto& dropped = project.demand.dropped;
   if (!dropped.empty() && !prepared) {
-    const std::string text = fmt::format("{} vehicle(s) or flow(s) cannot be routed and are left out of every arm: '{}' ({}){}; see {}",
-                                         dropped.size(), dropped.front().id, dropped.front().reason,
-                                         dropped.size() > 1 ? " .." : "", project.demand_files.dropped().string());
+    const std::string text = fmt::format(
+        "{} vehicle(s) or flow(s) cannot be routed and are left out of every arm: '{}' ({}){}; see {}",
+        dropped.size(), dropped.front().id, dropped.front().reason, dropped.size() > 1 ? " .." : "",
+        project.demand_files.dropped().string());
     verify(!options.flag("strict"), text);
     warn(text);
   }

@@ -23,8 +23,8 @@ ControlOptions control_options(const Options& options) {
   control.period = 0;
   if (options.text("period") != "step") {
     const auto period = parse_time(options.text("period"));
-    verify(period.has_value() && *period > 0, fmt::format("--period {}: this is neither a time above 0 nor 'step'",
-                                                          options.text("period")));
+    verify(period.has_value() && *period > 0,
+           fmt::format("--period {}: this is neither a time above 0 nor 'step'", options.text("period")));
     control.period = *period;
   }
   control.window = options.time("window");
@@ -62,23 +62,26 @@ std::vector<DemandedTrip> demanded(const Demand& demand) {
 
 void tell_end(const RunResult& result, Millis stall) {
   if (result.reason == StopReason::stalled) {
-    warn(fmt::format("nothing has arrived for {} s: the run is stopped at {} s (see --stall)", format_seconds(stall),
-                     format_seconds(result.end)));
+    warn(fmt::format("nothing has arrived for {} s: the run is stopped at {} s (see --stall)",
+                     format_seconds(stall), format_seconds(result.end)));
   }
   if (result.reason == StopReason::interrupted) {
-    warn(fmt::format("interrupted at {} s; the outputs are complete up to there", format_seconds(result.end)));
+    warn(
+        fmt::format("interrupted at {} s; the outputs are complete up to there", format_seconds(result.end)));
   }
-  if (result.refused > 0) warn(fmt::format("SUMO refused {} route(s); those vehicles kept theirs", result.refused));
+  if (result.refused > 0)
+    warn(fmt::format("SUMO refused {} route(s); those vehicles kept theirs", result.refused));
 }
 
 /// Runs the arm in its folder and fills the summary. What goes wrong is thrown.
-RunResult simulate(const Options& options, const Project& project, const ArmSpec& arm, const RunFolder& folder,
-                   RunSummary& summary) {
+RunResult simulate(const Options& options, const Project& project, const ArmSpec& arm,
+                   const RunFolder& folder, RunSummary& summary) {
   const ControlOptions control_with = control_options(options);
   const auto strategy = arm.ours ? make_strategy(arm.name, strategy_options(options)) : nullptr;
   std::vector<std::string> names;
   for (const DemandVehicle& vehicle : project.demand.vehicles) names.push_back(vehicle.id);
-  SessionSetup setup{.arguments = {"-c", folder.configuration.string()}, .network = &project.network, .vehicles = &names};
+  SessionSetup setup{
+      .arguments = {"-c", folder.configuration.string()}, .network = &project.network, .vehicles = &names};
   setup.arguments.insert(setup.arguments.end(), options.for_sumo().begin(), options.for_sumo().end());
 
   const auto start = std::chrono::steady_clock::now();
@@ -88,7 +91,7 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
     ProgressLine progress;
     result = control(
         *simulation, project.network, project.demand, strategy.get(), control_with,
-        [&](const Simulation& running) { progress.show(running); }, interrupted);
+        [&](const Simulation& running) { progress.show(running); }, stop_requested);
     simulation->close();
   }
   summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -110,9 +113,12 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
 
 Options run_options() {
   auto specs = project_options();
-  specs.push_back({"routing", "strategy", 0, "STR", "evolved", "hybrid, evolved, dijkstra; or SUMO's own: given, static, one-shot, device[:setting=value,..]"});
+  specs.push_back(
+      {"routing", "strategy", 0, "STR", "evolved",
+       "hybrid, evolved, dijkstra; or SUMO's own: given, static, one-shot, device[:setting=value,..]"});
   specs.push_back({"random", "seed", 0, "INT", "23423", "SUMO's seed"});
-  specs.push_back({"output", "decision-output", 0, "FILE", "", "Every routing decision, in the output folder"});
+  specs.push_back(
+      {"output", "decision-output", 0, "FILE", "", "Every routing decision, in the output folder"});
   return {"run", "one headless run of SUMO with one router in charge", std::move(specs)};
 }
 
@@ -123,8 +129,8 @@ int run_command(std::span<const std::string> arguments) {
   catch_interrupts();
   const Project project = load_project(options);
   const ArmSpec arm = parse_arm(options.text("strategy"), project.catalogue);
-  const RunFolder folder = make_run_folder(project.output, project.settings, project.catalogue, project.demand_files,
-                                           arm, options.count("seed"));
+  const RunFolder folder = make_run_folder(project.output, project.settings, project.catalogue,
+                                           project.demand_files, arm, options.count("seed"));
   RunSummary summary;
   summary.arm = arm.name;
   summary.seed = options.count("seed");
@@ -138,7 +144,8 @@ int run_command(std::span<const std::string> arguments) {
   } catch (const InputError& error) {
     const std::string words = read_text(folder.errors);
     summary.exit = 1;
-    summary.error = trimmed(words).empty() ? error.what() : fmt::format("{}\n{}", error.what(), trimmed(words));
+    summary.error =
+        trimmed(words).empty() ? error.what() : fmt::format("{}\n{}", error.what(), trimmed(words));
     write_json(summary, folder.folder / "run.json");
     throw InputError(summary.error);
   }

@@ -123,6 +123,7 @@ class NetworkHandler : public xml::Handler {
     in_road_ = true;
   }
 
+  /// Lanes count in the order of the file, as in SUMO: real nets have wrong indices.
   void read_lane(const xml::Element& element) {
     if (!in_road_) throw element.error("a lane outside of an edge");
     const RoadId road{net_.roads.size() - 1};
@@ -134,11 +135,6 @@ class NetworkHandler : public xml::Handler {
     lane.change_left = permissions(element, "changeLeft", "");
     lane.change_right = permissions(element, "changeRight", "");
     lane.shape = parse_shape(element);
-    const auto index = element.integer("index");
-    if (index != static_cast<int>(net_.roads[road].lane_count)) {
-      throw element.error(
-          fmt::format("index='{}' where lane {} was due", index, net_.roads[road].lane_count));
-    }
     if (!lane_ids_.try_emplace(std::string(element.require("id")), net_.lanes.next_id()).second) {
       throw element.error("there is a lane of this id already");
     }
