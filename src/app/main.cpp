@@ -21,15 +21,18 @@ struct Command {
 
 constexpr std::array<Command, 5> commands{{
     {"run", "one headless run of SUMO with one router in charge", &thalweg::run_command},
-    {"compare", "the same demand under several routers and seeds: who arrives earlier?", &thalweg::compare_command},
+    {"compare", "the same demand under several routers and seeds: who arrives earlier?",
+     &thalweg::compare_command},
     {"route", "routes on a network, without SUMO", &thalweg::route_command},
     {"network", "what a network looks like to the router", &thalweg::network_command},
     {"doctor", "which SUMO is used, and what is missing", &thalweg::doctor_command},
 }};
 
 void print_usage(std::FILE* stream) {
-  fmt::print(stream, "thalweg {}: re-routes SUMO's vehicles through the partitioned graph\n\nUsage:\n", THALWEG_VERSION);
-  for (const Command& command : commands) fmt::print(stream, "  thalweg {:<8} {}\n", command.name, command.summary);
+  fmt::print(stream, "thalweg {}: re-routes SUMO's vehicles through the partitioned graph\n\nUsage:\n",
+             THALWEG_VERSION);
+  for (const Command& command : commands)
+    fmt::print(stream, "  thalweg {:<8} {}\n", command.name, command.summary);
   fmt::print(stream, "\n'thalweg COMMAND --help' lists the options of each.\n");
 }
 
@@ -50,7 +53,8 @@ int run(const std::vector<std::string>& arguments) {
   for (const Command& command : commands) {
     if (first == command.name) return command.run(std::span(arguments).subspan(1));
   }
-  if (first.starts_with("--save-template")) return thalweg::run_command(arguments);  // sumolib.options.pullOptions
+  if (first.starts_with("--save-template"))
+    return thalweg::run_command(arguments);  // sumolib.options.pullOptions
   std::vector<std::string> names;
   for (const Command& command : commands) names.emplace_back(command.name);
   throw InputError(fmt::format("there is no command '{}'{}; 'thalweg --help' lists them", first,

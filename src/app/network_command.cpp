@@ -16,24 +16,27 @@ namespace {
 
 const char* name_of(InstanceType type) {
   switch (type) {
-    case InstanceType::mixed: return "mixed";
-    case InstanceType::simple: return "simple";
-    case InstanceType::directed: return "directed";
+    case InstanceType::mixed:
+      return "mixed";
+    case InstanceType::simple:
+      return "simple";
+    case InstanceType::directed:
+      return "directed";
   }
   return "";
 }
 
 void print_network(const Network& net) {
   const auto count = [&](RoadFunction function) {
-    return std::count_if(net.roads.begin(), net.roads.end(), [&](const Road& r) { return r.function == function; });
+    return std::count_if(net.roads.begin(), net.roads.end(),
+                         [&](const Road& r) { return r.function == function; });
   };
   const auto lanes = std::count_if(net.lanes.begin(), net.lanes.end(), [&](const Lane& lane) {
     return net.roads[lane.road].function == RoadFunction::normal;
   });
   const auto connections =
-      std::count_if(net.connections.begin(), net.connections.end(), [&](const Connection& c) {
-        return net.roads[c.from].function == RoadFunction::normal;
-      });
+      std::count_if(net.connections.begin(), net.connections.end(),
+                    [&](const Connection& c) { return net.roads[c.from].function == RoadFunction::normal; });
   fmt::print("roads {}\nlanes {}\njunctions {}\nconnections {}\nsignals {}\nroundabouts {}\n",
              count(RoadFunction::normal), lanes, net.junctions.size(), connections, net.signals.size(),
              net.roundabouts.size());
@@ -41,8 +44,8 @@ void print_network(const Network& net) {
              count(RoadFunction::crossing), count(RoadFunction::walking_area));
 }
 
-/// The graph as the class drives it: the paper's instance type, its regions from the first road of the largest
-/// strongly connected part, and what cannot be reached from there.
+/// The graph as the class drives it: the paper's instance type, its regions from the first road of the
+/// largest strongly connected part, and what cannot be reached from there.
 void print_graph(const Network& net, VehicleClass vehicle_class) {
   const RoadGraph graph(net, vehicle_class);
   const Digraph& turns = graph.turns();
@@ -57,8 +60,8 @@ void print_graph(const Network& net, VehicleClass vehicle_class) {
     if (sizes[part]++ == 0) first[part] = VertexId{v};
   }
   const auto part_count = std::count_if(sizes.begin(), sizes.end(), [](std::size_t s) { return s > 0; });
-  fmt::print("{}: {} roads, {} turns, instance type {}, {} strongly connected parts", name_of(vehicle_class), permitted,
-             graph.turn_count(), name_of(instance_type(turns)), part_count);
+  fmt::print("{}: {} roads, {} turns, instance type {}, {} strongly connected parts", name_of(vehicle_class),
+             permitted, graph.turn_count(), name_of(instance_type(turns)), part_count);
   if (permitted == 0) {
     fmt::print("\n");
     return;
@@ -81,7 +84,8 @@ int network_command(std::span<const std::string> arguments) {
   if (options.answered()) return 0;
   verify(!options.text("net-file").empty(), "no net-file: name it with -n");
   const Network net = [&] {
-    const Stage stage(options.flag("verbose"), fmt::format("Loading net-file from '{}'", options.text("net-file")));
+    const Stage stage(options.flag("verbose"),
+                      fmt::format("Loading net-file from '{}'", options.text("net-file")));
     return read_network(options.text("net-file"));
   }();
   for (const auto& warning : net.warnings) warn(warning);

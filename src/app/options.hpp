@@ -15,16 +15,16 @@ namespace thalweg {
 
 /// One option, declared as SUMO's programs declare theirs.
 struct OptionSpec {
-  std::string section;        ///< "input", "output", "routing" ..
-  std::string name;           ///< lower case, dotted
+  std::string section;  ///< "input", "output", "routing" ..
+  std::string name;     ///< lower case, dotted
   char short_name = 0;
-  std::string type;           ///< BOOL, INT, FLOAT, TIME, STR, FILE
+  std::string type;  ///< BOOL, INT, FLOAT, TIME, STR, FILE
   std::string default_value;
   std::string help;
 };
 
-/// The options of a subcommand, with SUMO's manners: --x v and --x=v, booleans with or without a value, times in
-/// seconds or [d:]h:m:s, -c with any sections, --save-configuration, --save-template.
+/// The options of a subcommand, with SUMO's manners: --x v and --x=v, booleans with or without a value, times
+/// in seconds or [d:]h:m:s, -c with any sections, --save-configuration, --save-template.
 class Options {
  public:
   Options(std::string command, std::string summary, std::vector<OptionSpec> specs);
@@ -48,7 +48,8 @@ class Options {
   [[nodiscard]] std::string help() const;
   /// The template that sumolib.options.pullOptions reads; with `values`: the configuration as it is.
   [[nodiscard]] std::string to_xml(bool values) const;
-  /// Does what --help, --save-template and --save-configuration ask for; true when the command is done with that.
+  /// Does what --help, --save-template and --save-configuration ask for; true when the command is done with
+  /// that.
   [[nodiscard]] bool answered() const;
 
  private:

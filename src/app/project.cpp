@@ -52,11 +52,8 @@ void read_user_configuration(Options& options, Project& project) {
 
 void apply_command_line(const Options& options, Project& project) {
   for (const auto name : shared_with_sumo) {
-    if (!options.is_set(name) || project.settings.find(name) == options.text(name)) continue;
     const auto* option = project.catalogue.find(name);
-    if (option == nullptr) continue;
-    const bool from_configuration = project.settings.find(name).has_value() && !options.on_command_line(name);
-    if (from_configuration) continue;
+    if (!options.on_command_line(name) || option == nullptr) continue;
     const bool is_input = SumoOptions::is_input(name, option->second);
     project.settings.set(
         name, is_input ? resolve_files(options.text(name), fs::current_path()) : options.text(name));

@@ -15,7 +15,8 @@ constexpr std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(space) - first + 1);
 }
 
-/// The whole of `text` (blanks around it allowed) as a finite number, independent of the locale; else nullopt.
+/// The whole of `text` (blanks around it allowed) as a finite number, independent of the locale; else
+/// nullopt.
 inline std::optional<double> parse_number(std::string_view text) {
   text = trimmed(text);
   if (text.starts_with('+')) text.remove_prefix(1);

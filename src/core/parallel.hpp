@@ -33,7 +33,8 @@ void parallel_for(std::size_t items, std::size_t threads, Work&& work) {
   };
   {
     std::vector<std::jthread> others;
-    for (std::size_t worker = 1; worker < threads && worker < items; ++worker) others.emplace_back(loop, worker);
+    for (std::size_t worker = 1; worker < threads && worker < items; ++worker)
+      others.emplace_back(loop, worker);
     loop(0);
   }
   if (failure) std::rethrow_exception(failure);

@@ -15,12 +15,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 13> writing_elements{
-    "e1Detector",      "inductionLoop",   "instantInductionLoop", "e2Detector", "laneAreaDetector",
-    "e3Detector",      "entryExitDetector", "edgeData",           "laneData",   "vTypeProbe",
-    "routeProbe",      "overheadWireSegment", "calibrator"};
+    "e1Detector",       "inductionLoop", "instantInductionLoop", "e2Detector",
+    "laneAreaDetector", "e3Detector",    "entryExitDetector",    "edgeData",
+    "laneData",         "vTypeProbe",    "routeProbe",           "overheadWireSegment",
+    "calibrator"};
 
 bool is_special(std::string_view value) {
-  static constexpr std::array<std::string_view, 7> names{"", "-", "stdout", "stderr", "NUL", "nul", "/dev/null"};
+  static constexpr std::array<std::string_view, 7> names{"",    "-",   "stdout",   "stderr",
+                                                         "NUL", "nul", "/dev/null"};
   if (std::find(names.begin(), names.end(), value) != names.end()) return true;
   const auto colon = value.rfind(':');  // host:port
   return colon != std::string_view::npos && colon > 1 && colon + 1 < value.size() &&
@@ -28,12 +30,14 @@ bool is_special(std::string_view value) {
 }
 
 void rewrite(xml::Node& node, const fs::path& source_folder, OutputPlaces& places) {
-  const bool writes = std::find(writing_elements.begin(), writing_elements.end(), node.name) != writing_elements.end();
+  const bool writes =
+      std::find(writing_elements.begin(), writing_elements.end(), node.name) != writing_elements.end();
   for (auto& [name, value] : node.attributes) {
     const bool is_output = (writes && name == "file") || name == "dest" || name == "output";
     const bool is_input = !is_output && (name == "file" || name == "href" || name == "imgFile");
     if (is_output) value = places.place(value, source_folder);
-    if (is_input && !is_special(value)) value = fs::absolute(source_folder / value).lexically_normal().string();
+    if (is_input && !is_special(value))
+      value = fs::absolute(source_folder / value).lexically_normal().string();
   }
   if (node.name == "param") {
     const auto key = node.value_or("key", "");

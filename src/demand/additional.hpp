@@ -8,11 +8,12 @@
 
 namespace thalweg {
 
-/// Where a run's outputs go: every file that the user's configuration or additional files would write lands in
-/// the run's own folder, under its own name as far as that is free.
+/// Where a run's outputs go: every file that the user's configuration or additional files would write lands
+/// in the run's own folder, under its own name as far as that is free.
 class OutputPlaces {
  public:
-  OutputPlaces(std::filesystem::path folder, std::string prefix) : folder_(std::move(folder)), prefix_(std::move(prefix)) {}
+  OutputPlaces(std::filesystem::path folder, std::string prefix)
+      : folder_(std::move(folder)), prefix_(std::move(prefix)) {}
 
   /// `value` as the user wrote it in a file of `from`. Special names (NUL, stdout, host:port ..) stay.
   std::string place(std::string_view value, const std::filesystem::path& from);
@@ -25,9 +26,10 @@ class OutputPlaces {
   std::map<std::filesystem::path, std::filesystem::path> taken_;  ///< place -> what the user called it
 };
 
-/// Copies an additional file for one run: outputs to their places, inputs by absolute path, demand left out (it
-/// is in the prepared file), and nothing that switches device.rerouting on.
-void rewrite_additional(const std::filesystem::path& from, const std::filesystem::path& to, OutputPlaces& places);
+/// Copies an additional file for one run: outputs to their places, inputs by absolute path, demand left out
+/// (it is in the prepared file), and nothing that switches device.rerouting on.
+void rewrite_additional(const std::filesystem::path& from, const std::filesystem::path& to,
+                        OutputPlaces& places);
 
 /// <param> keys that would hand a vehicle to SUMO's own router.
 bool switches_rerouting(std::string_view key);

@@ -15,9 +15,9 @@ struct DemandVehicle {
   std::string id;
   std::optional<Millis> depart;  ///< nothing: it waits for a person or a container ("triggered")
   VehicleClass vehicle_class = VehicleClass::passenger;
-  bool fixed = false;            ///< public transport and the like: nobody but SUMO touches its route
-  std::vector<RoadId> via;       ///< roads that it must pass, in order
-  std::string destination;       ///< the last road of its route
+  bool fixed = false;       ///< public transport and the like: nobody but SUMO touches its route
+  std::vector<RoadId> via;  ///< roads that it must pass, in order
+  std::string destination;  ///< the last road of its route
 };
 
 /// Left out of every arm before the first run, because it has no route.

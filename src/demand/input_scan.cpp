@@ -12,7 +12,8 @@
 namespace thalweg {
 namespace {
 
-/// The first road named by the vehicle, its route or its stops that the net has not; empty when there is none.
+/// The first road named by the vehicle, its route or its stops that the net has not; empty when there is
+/// none.
 std::string unknown_road(const xml::Node& node, const Network& network) {
   static constexpr std::array<std::string_view, 5> lists{"from", "to", "via", "edges", "edge"};
   for (const auto attribute : lists) {
@@ -40,8 +41,9 @@ bool note(const xml::Node& node, const Network& network, InputScan& scan) {
   if (!scan.seen.insert(id).second) throw node.error("there is a vehicle, trip or flow of this id already");
   const bool is_flow = node.name == "flow";
   if (const auto road = unknown_road(node, network); !road.empty()) {
-    scan.dropped.push_back(
-        {.id = id, .reason = fmt::format("{}the edge '{}' is not in the net", is_flow ? "the whole flow: " : "", road)});
+    scan.dropped.push_back({.id = id,
+                            .reason = fmt::format("{}the edge '{}' is not in the net",
+                                                  is_flow ? "the whole flow: " : "", road)});
     return false;
   }
   if (const std::string* via = node.find("via")) scan.via.emplace(id, *via);
@@ -54,8 +56,8 @@ bool note(const xml::Node& node, const Network& network, InputScan& scan) {
 }  // namespace
 
 bool is_demand_element(std::string_view element) {
-  static constexpr std::array<std::string_view, 7> elements{"vehicle",    "trip",      "flow",         "person",
-                                                            "personFlow", "container", "containerFlow"};
+  static constexpr std::array<std::string_view, 7> elements{
+      "vehicle", "trip", "flow", "person", "personFlow", "container", "containerFlow"};
   return std::find(elements.begin(), elements.end(), element) != elements.end();
 }
 
@@ -72,7 +74,8 @@ bool scan_demand(const std::filesystem::path& file, const std::filesystem::path&
         }
       },
       [&](xml::Node& node) {
-        if (node.name == "include") throw node.error("<include> is not understood here: name the file itself");
+        if (node.name == "include")
+          throw node.error("<include> is not understood here: name the file itself");
         const bool is_demand = is_demand_element(node.name);
         if (is_additional && !is_demand) return;  // duarouter reads the additional file itself
         found = found || is_demand;

@@ -23,19 +23,26 @@ class Duarouter {
       : program_(sumo.duarouter), folder_(folder) {
     require_tool(program_, "duarouter");
     const SumoOptions options = SumoOptions::ask(program_, folder);
-    common_ = {"--net-file", settings.find("net-file").value_or(""), "--ignore-errors", "--no-step-log",
+    common_ = {"--net-file",
+               settings.find("net-file").value_or(""),
+               "--ignore-errors",
+               "--no-step-log",
                "--skip-new-routes",  // given routes are kept; without it duarouter routes them afresh
-               "--unsorted-input", "--alternatives-output", "NUL", "--ptline-routing"};
+               "--unsorted-input",
+               "--alternatives-output",
+               "NUL",
+               "--ptline-routing"};
     if (options.find("ptline-routing") == nullptr) common_.pop_back();
     // CCH is a hundred times faster than the default and finds the same costs, but is new.
     const auto* algorithm = options.find("routing-algorithm");
     const bool has_cch = algorithm != nullptr && algorithm->second.help.find("CCH") != std::string::npos;
     add("--routing-algorithm", has_cch ? "CCH" : "astar");
-    for (const char* shared : {"additional-files", "begin", "junction-taz", "scale", "mapmatch.distance",
-                               "mapmatch.junctions", "mapmatch.taz", "weights.minor-penalty",
-                               "weights.turnaround-penalty", "weights.tls-penalty"}) {
+    for (const char* shared :
+         {"additional-files", "begin", "junction-taz", "scale", "mapmatch.distance", "mapmatch.junctions",
+          "mapmatch.taz", "weights.minor-penalty", "weights.turnaround-penalty", "weights.tls-penalty"}) {
       const auto value = settings.find(shared);
-      if (value && !value->empty() && options.find(shared) != nullptr) add(std::string("--") + shared, *value);
+      if (value && !value->empty() && options.find(shared) != nullptr)
+        add(std::string("--") + shared, *value);
     }
   }
 
@@ -47,7 +54,8 @@ class Duarouter {
     const int exit = run_program(program_, more, log);
     std::string words = read_text(log);
     if (exit != 0) {
-      throw InputError(fmt::format("duarouter could not route the demand (exit {}; {}):\n{}", exit, log.string(),
+      throw InputError(fmt::format("duarouter could not route the demand (exit {}; {}):\n{}", exit,
+                                   log.string(),
                                    words.substr(words.size() > 2000 ? words.size() - 2000 : 0)));
     }
     return words;
@@ -95,24 +103,29 @@ void write_given(const fs::path& routed, const fs::path& types_file, const TypeC
   read_types(types_file, types);
   xml::Writer writer(files.given(), "prepared by thalweg: the same demand for every arm");
   writer.open("routes");
-  xml::read_nodes(types_file, [](const xml::Element&) {}, [&](xml::Node& node) {
-    if (const std::string* id = node.find("id"); id != nullptr && other_types.contains(*id)) return;
-    strip_rerouting(node);
-    write_node(writer, node);
-  });
-  xml::read_nodes(routed, [](const xml::Element&) {}, [&](xml::Node& node) {
-    strip_rerouting(node);
-    if (node.name != "vehicle") return write_node(writer, node);
-    const std::string& id = node.require("id");
-    const auto type = node.value_or("type", "DEFAULT_VEHTYPE");
-    if (!types.contains(std::string(type))) {
-      demand.dropped.push_back({.id = id, .reason = fmt::format("the vehicle type '{}' is not defined", type)});
-      return;
-    }
-    if (auto via = via_of(id, scan); !via.empty()) node.set("via", std::move(via));
-    demand.vehicles.push_back(describe_vehicle(node, network, types));
-    write_node(writer, node);
-  });
+  xml::read_nodes(
+      types_file, [](const xml::Element&) {},
+      [&](xml::Node& node) {
+        if (const std::string* id = node.find("id"); id != nullptr && other_types.contains(*id)) return;
+        strip_rerouting(node);
+        write_node(writer, node);
+      });
+  xml::read_nodes(
+      routed, [](const xml::Element&) {},
+      [&](xml::Node& node) {
+        strip_rerouting(node);
+        if (node.name != "vehicle") return write_node(writer, node);
+        const std::string& id = node.require("id");
+        const auto type = node.value_or("type", "DEFAULT_VEHTYPE");
+        if (!types.contains(std::string(type))) {
+          demand.dropped.push_back(
+              {.id = id, .reason = fmt::format("the vehicle type '{}' is not defined", type)});
+          return;
+        }
+        if (auto via = via_of(id, scan); !via.empty()) node.set("via", std::move(via));
+        demand.vehicles.push_back(describe_vehicle(node, network, types));
+        write_node(writer, node);
+      });
   writer.commit();
 }
 
@@ -126,8 +139,9 @@ void note_unrouted(const InputScan& scan, const std::string& log, Demand& demand
     if (present.contains(id)) continue;
     const auto reason = reasons.find(id);
     demand.dropped.push_back({.id = id,
-                              .reason = reason == reasons.end() ? "departs before the begin, or duarouter left it out"
-                                                                : reason->second});
+                              .reason = reason == reasons.end()
+                                            ? "departs before the begin, or duarouter left it out"
+                                            : reason->second});
     reasons.erase(id);
   }
   std::vector<DroppedVehicle> of_flows;
@@ -149,35 +163,40 @@ void write_free_flow(const Duarouter& duarouter, const DemandFiles& files, const
   {
     xml::Writer writer(trips, "the given vehicles as trips");
     writer.open("routes");
-    xml::read_nodes(files.given(), [](const xml::Element&) {}, [&](xml::Node& node) {
-      const auto id = node.value_or("id", "");
-      const std::string edges = route_edges(node);
-      const auto roads = split(edges, " ");
-      if (node.name == "vehicle" && !roads.empty() && !fixed.contains(std::string(id))) {
-        node.name = "trip";
-        std::erase_if(node.children, [](const xml::Node& child) { return child.name == "route"; });
-        node.set("from", std::string(roads.front()));
-        node.set("to", std::string(roads.back()));
-        write_node(writer, node);
-      } else if (node.name == "vType" || node.name == "vTypeDistribution") {
-        write_node(writer, node);
-      }
-    });
+    xml::read_nodes(
+        files.given(), [](const xml::Element&) {},
+        [&](xml::Node& node) {
+          const auto id = node.value_or("id", "");
+          const std::string edges = route_edges(node);
+          const auto roads = split(edges, " ");
+          if (node.name == "vehicle" && !roads.empty() && !fixed.contains(std::string(id))) {
+            node.name = "trip";
+            std::erase_if(node.children, [](const xml::Node& child) { return child.name == "route"; });
+            node.set("from", std::string(roads.front()));
+            node.set("to", std::string(roads.back()));
+            write_node(writer, node);
+          } else if (node.name == "vType" || node.name == "vTypeDistribution") {
+            write_node(writer, node);
+          }
+        });
     writer.commit();
   }
   duarouter.route(trips.string(), routed, {});
   const RoutesById routes = read_routes(routed);
-  xml::Writer writer(files.free_flow(), "prepared by thalweg: the same demand, every route the fastest on empty roads");
+  xml::Writer writer(files.free_flow(),
+                     "prepared by thalweg: the same demand, every route the fastest on empty roads");
   writer.open("routes");
-  xml::read_nodes(files.given(), [](const xml::Element&) {}, [&](xml::Node& node) {
-    const auto route = routes.find(std::string(node.value_or("id", "")));
-    if (node.name == "vehicle" && route != routes.end() && !route->second.empty()) {
-      for (xml::Node& child : node.children) {
-        if (child.name == "route") child.set("edges", route->second);
-      }
-    }
-    write_node(writer, node);
-  });
+  xml::read_nodes(
+      files.given(), [](const xml::Element&) {},
+      [&](xml::Node& node) {
+        const auto route = routes.find(std::string(node.value_or("id", "")));
+        if (node.name == "vehicle" && route != routes.end() && !route->second.empty()) {
+          for (xml::Node& child : node.children) {
+            if (child.name == "route") child.set("edges", route->second);
+          }
+        }
+        write_node(writer, node);
+      });
   writer.commit();
   fs::remove(trips);
   fs::remove(routed);
@@ -222,7 +241,8 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   const fs::path routed = files.folder / "routed.xml";
   const fs::path types = files.folder / "types.xml";
   std::vector<std::string> more{"--vtype-output", types.string()};
-  if (const auto end = settings.find("end"); end && scan.has_open_flows) more.insert(more.end(), {"--end", *end});
+  if (const auto end = settings.find("end"); end && scan.has_open_flows)
+    more.insert(more.end(), {"--end", *end});
   const std::string log = duarouter.route(inputs, routed, more);
   demand.dropped = scan.dropped;
   write_given(routed, types, other_types, scan, network, files, demand);
@@ -244,9 +264,12 @@ Demand read_prepared_demand(const Settings& settings, const Network& network, co
   TypeClasses types = default_types();
   for (const auto& file : file_list(settings.find("additional-files").value_or(""))) read_types(file, types);
   read_vehicles(files.given(), network, types, demand);
-  xml::read_nodes(files.dropped(), [](const xml::Element&) {}, [&](const xml::Node& node) {
-    demand.dropped.push_back({.id = node.require("id"), .reason = std::string(node.value_or("reason", ""))});
-  });
+  xml::read_nodes(
+      files.dropped(), [](const xml::Element&) {},
+      [&](const xml::Node& node) {
+        demand.dropped.push_back(
+            {.id = node.require("id"), .reason = std::string(node.value_or("reason", ""))});
+      });
   return demand;
 }
 

@@ -13,16 +13,20 @@ namespace thalweg {
 struct DemandFiles {
   explicit DemandFiles(std::filesystem::path folder_) : folder(std::move(folder_)) {}
   std::filesystem::path folder;
-  [[nodiscard]] std::filesystem::path given() const { return folder / "given.rou.xml"; }    ///< routes as demanded
-  [[nodiscard]] std::filesystem::path free_flow() const { return folder / "static.rou.xml"; }  ///< on the empty net
+  [[nodiscard]] std::filesystem::path given() const {
+    return folder / "given.rou.xml";
+  }  ///< routes as demanded
+  [[nodiscard]] std::filesystem::path free_flow() const {
+    return folder / "static.rou.xml";
+  }  ///< on the empty net
   [[nodiscard]] std::filesystem::path dropped() const { return folder / "dropped.xml"; }
 };
 
 /// Makes the user's demand (route files and what additional files hold of it) into one file of vehicles with
-/// explicit routes, by duarouter, once before all arms: flows expanded, trips routed on free flow, given routes
-/// kept; types, depart attributes, stops and `via` kept; public transport and persons as they are. What cannot be
-/// routed is left out and listed with its reason.
-/// `settings`: the configuration, paths absolute. InputError when duarouter fails, or the demand is empty.
+/// explicit routes, by duarouter, once before all arms: flows expanded, trips routed on free flow, given
+/// routes kept; types, depart attributes, stops and `via` kept; public transport and persons as they are.
+/// What cannot be routed is left out and listed with its reason. `settings`: the configuration, paths
+/// absolute. InputError when duarouter fails, or the demand is empty.
 Demand prepare_demand(const Settings& settings, const Network& network, const SumoInstallation& sumo,
                       const DemandFiles& files);
 

@@ -40,8 +40,8 @@ void read_types(const std::filesystem::path& file, TypeClasses& types) {
 }
 
 TypeClasses default_types() {
-  return {{"DEFAULT_VEHTYPE", VehicleClass::passenger}, {"DEFAULT_BIKETYPE", VehicleClass::bicycle},
-          {"DEFAULT_TAXITYPE", VehicleClass::taxi},     {"DEFAULT_RAILTYPE", VehicleClass::rail},
+  return {{"DEFAULT_VEHTYPE", VehicleClass::passenger},  {"DEFAULT_BIKETYPE", VehicleClass::bicycle},
+          {"DEFAULT_TAXITYPE", VehicleClass::taxi},      {"DEFAULT_RAILTYPE", VehicleClass::rail},
           {"DEFAULT_PEDTYPE", VehicleClass::pedestrian}, {"DEFAULT_CONTAINERTYPE", VehicleClass::container}};
 }
 
@@ -75,7 +75,8 @@ DemandVehicle describe_vehicle(const xml::Node& vehicle, const Network& network,
   return described;
 }
 
-void read_vehicles(const std::filesystem::path& file, const Network& network, const TypeClasses& types, Demand& out) {
+void read_vehicles(const std::filesystem::path& file, const Network& network, const TypeClasses& types,
+                   Demand& out) {
   TypeClasses known = types;
   read_types(file, known);
   xml::read_nodes(file, any_root, [&](const xml::Node& node) {

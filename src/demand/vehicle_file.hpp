@@ -23,7 +23,8 @@ TypeClasses default_types();
 RoutesById read_routes(const std::filesystem::path& file);
 
 /// The vehicles of a prepared file, in its order.
-void read_vehicles(const std::filesystem::path& file, const Network& network, const TypeClasses& types, Demand& out);
+void read_vehicles(const std::filesystem::path& file, const Network& network, const TypeClasses& types,
+                   Demand& out);
 
 /// A prepared vehicle as the demand has it; reads its attributes and stops only.
 DemandVehicle describe_vehicle(const xml::Node& vehicle, const Network& network, const TypeClasses& types);

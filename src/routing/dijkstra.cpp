@@ -12,8 +12,8 @@ struct DijkstraSearch {
 
   void operator()(const Digraph& graph, const std::vector<Millis>& costs, VertexId destination,
                   std::span<const VertexId> origins, Tree& out) {
-    dijkstra<Direction::backward>(graph, {&destination, 1}, [&](ArcId arc) { return costs[arc.value]; }, out,
-                                  scratch, origins);
+    dijkstra<Direction::backward>(
+        graph, {&destination, 1}, [&](ArcId arc) { return costs[arc.value]; }, out, scratch, origins);
   }
 };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "search/evolve.hpp"
-
 #include "routing/list.hpp"
 #include "routing/service_tree.hpp"
+#include "search/evolve.hpp"
 #include "search/hybrid.hpp"
 
 namespace thalweg {

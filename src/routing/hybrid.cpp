@@ -14,7 +14,8 @@ struct HybridSearch {
   void operator()(const Digraph& graph, const std::vector<Millis>& costs, VertexId destination,
                   std::span<const VertexId> origins, Tree& out) {
     partition<Direction::backward>(graph, {&destination, 1}, regions, origins);
-    hybrid<Direction::backward>(graph, regions, [&](ArcId arc) { return costs[arc.value]; }, out);
+    hybrid<Direction::backward>(
+        graph, regions, [&](ArcId arc) { return costs[arc.value]; }, out);
   }
 };
 

@@ -16,18 +16,18 @@ namespace thalweg {
 struct ClassTraffic {
   const RoadGraph* graph = nullptr;
   RoadTimes free_flow;
-  RoadTimes road_times;             ///< live
+  RoadTimes road_times;            ///< live
   std::vector<Millis> turn_costs;  ///< by ArcId, live
 };
 
 /// A vehicle whose turn it is to reconsider. Roads are vertices of its class's graph.
 struct Traveller {
   VehicleId vehicle;
-  std::size_t vehicle_class = 0;     ///< index of its ClassTraffic
-  std::vector<VertexId> route;       ///< its present way, from the first road whose next turn is still free
-  std::vector<VertexId> waypoints;   ///< roads it must pass in this order: stops, `via`; last its destination
-  Millis until_route = 0;            ///< from now until it enters route.front()
-  double patience = 0;               ///< in [0, 1), fixed for each vehicle by a hash of its name
+  std::size_t vehicle_class = 0;    ///< index of its ClassTraffic
+  std::vector<VertexId> route;      ///< its present way, from the first road whose next turn is still free
+  std::vector<VertexId> waypoints;  ///< roads it must pass in this order: stops, `via`; last its destination
+  Millis until_route = 0;           ///< from now until it enters route.front()
+  double patience = 0;              ///< in [0, 1), fixed for each vehicle by a hash of its name
   bool departed = true;
 };
 
@@ -36,12 +36,12 @@ struct Decision {
   bool change = false;
   std::vector<VertexId> route;  ///< the better way found, from the same first road; empty when none was found
   Millis old_cost = 0;
-  Millis new_cost = 0;          ///< of `route`
+  Millis new_cost = 0;  ///< of `route`
 };
 
 /// When a traveller gives up its way for a better one: the gain must exceed
-/// (relative + spread * patience) of the time left, and `absolute`. Thresholds that differ between vehicles keep
-/// everybody from turning at the same news.
+/// (relative + spread * patience) of the time left, and `absolute`. Thresholds that differ between vehicles
+/// keep everybody from turning at the same news.
 struct ChoiceRule {
   double relative = 0;
   double spread = 0;

@@ -27,7 +27,8 @@ Setting device_setting(std::string_view text, const SumoOptions& options) {
     constexpr std::string_view prefix = "device.rerouting.";
     if (name.starts_with(prefix)) names.push_back(name.substr(prefix.size()));
   }
-  throw InputError(fmt::format("SUMO's device.rerouting has no setting '{}'{}", key, did_you_mean(key, names)));
+  throw InputError(
+      fmt::format("SUMO's device.rerouting has no setting '{}'{}", key, did_you_mean(key, names)));
 }
 
 std::vector<Setting> device(std::string_view more, std::string_view period, const SumoOptions& options) {
@@ -78,8 +79,7 @@ std::vector<std::string> split_arms(std::string_view list) {
 std::string arm_folder(std::string_view name) {
   std::string folder(name);
   std::replace_if(
-      folder.begin(), folder.end(),
-      [](char c) { return c == ':' || c == '/' || c == ',' || c == ' '; }, '_');
+      folder.begin(), folder.end(), [](char c) { return c == ':' || c == '/' || c == ',' || c == ' '; }, '_');
   return folder;
 }
 

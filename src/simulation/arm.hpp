@@ -18,7 +18,7 @@ namespace thalweg {
 ///   device:period=120,probability=0.5   the same with any of its settings
 struct ArmSpec {
   std::string name;
-  bool ours = false;             ///< a strategy of ours decides
+  bool ours = false;              ///< a strategy of ours decides
   bool free_flow_routes = false;  ///< starts from static.rou.xml instead of given.rou.xml
   std::vector<Setting> settings;  ///< SUMO's, beside the user's
 };

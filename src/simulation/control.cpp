@@ -26,7 +26,8 @@ class Agenda {
       Entry& entry = entries_[VehicleId{i}];
       entry.depart = vehicle.depart.value_or(0);
       entry.ours = !vehicle.fixed && unit_hash(vehicle.id + "#share") < options.share;
-      entry.phase = period_ > 0 ? static_cast<Millis>(unit_hash(vehicle.id) * static_cast<double>(period_)) : 0;
+      entry.phase =
+          period_ > 0 ? static_cast<Millis>(unit_hash(vehicle.id) * static_cast<double>(period_)) : 0;
     }
   }
 
@@ -88,17 +89,20 @@ class Agenda {
   std::priority_queue<Turn, std::vector<Turn>, std::greater<>> queue_;
 };
 
-/// Positions in `route`, ascending, that the vehicle must keep: its stops, what is left of its `via`, its end.
+/// Positions in `route`, ascending, that the vehicle must keep: its stops, what is left of its `via`, its
+/// end.
 std::vector<std::size_t> kept_positions(const Plan& plan, const std::vector<RoadId>& via) {
   std::vector<std::size_t> kept{plan.route.size() - 1};
   std::size_t from = 0;
   for (const RoadId stop : plan.waypoints) {
-    const auto found = std::find(plan.route.begin() + static_cast<std::ptrdiff_t>(from), plan.route.end(), stop);
+    const auto found =
+        std::find(plan.route.begin() + static_cast<std::ptrdiff_t>(from), plan.route.end(), stop);
     if (found == plan.route.end()) break;
     from = static_cast<std::size_t>(found - plan.route.begin());
     kept.push_back(from);
   }
-  // The route ahead holds the last few of `via`: they are matched from its end, the first that fails is behind us.
+  // The route ahead holds the last few of `via`: they are matched from its end, the first that fails is
+  // behind us.
   auto end = plan.route.rend();
   auto position = plan.route.rbegin();
   for (auto road = via.rbegin(); road != via.rend(); ++road) {
@@ -140,7 +144,8 @@ class Controller {
   /// After a step (and before the first): notes what happened, and lets those who are due decide.
   void update() {
     for (const VehicleId vehicle : simulation_.events().loaded) agenda_.on_loaded(vehicle, simulation_.now());
-    for (const VehicleId vehicle : simulation_.events().departed) agenda_.on_departed(vehicle, simulation_.now());
+    for (const VehicleId vehicle : simulation_.events().departed)
+      agenda_.on_departed(vehicle, simulation_.now());
     for (const VehicleId vehicle : simulation_.events().arrived) agenda_.on_arrived(vehicle);
     if (simulation_.now() >= next_sample_) {
       measured_.sample(simulation_.observe());
@@ -208,13 +213,15 @@ class Controller {
   [[nodiscard]] Millis until_route(std::size_t i) const {
     const Plan& plan = plans_[i];
     const Millis crossing = traffic_[travellers_[i].vehicle_class].road_times[plan.route.front()];
-    const auto behind = static_cast<Millis>(plan.driven * static_cast<double>(std::min(crossing, infinity / 4)));
+    const auto behind =
+        static_cast<Millis>(plan.driven * static_cast<double>(std::min(crossing, infinity / 4)));
     return plan.committed > 1 ? crossing - behind : -behind;
   }
 
   void apply(const Traveller& traveller, const Plan& plan, Decision& decision) {
     const RoadGraph& graph = *graphs_[traveller.vehicle_class];
-    std::vector<RoadId> route(plan.route.begin(), plan.route.begin() + static_cast<std::ptrdiff_t>(plan.committed - 1));
+    std::vector<RoadId> route(plan.route.begin(),
+                              plan.route.begin() + static_cast<std::ptrdiff_t>(plan.committed - 1));
     for (const VertexId vertex : decision.route) route.push_back(graph.road(vertex));
     // SUMO may end a vehicle at once that is told to drive from its road back to the same road (13628).
     if (decision.change && route.front() == route.back()) decision.change = false;
@@ -296,7 +303,8 @@ RunResult control(Simulation& simulation, const Network& network, const Demand& 
     }
     simulation.step();
     for (const VehicleId vehicle : simulation.events().arrived) result.arrival[vehicle] = simulation.now();
-    if (!simulation.events().arrived.empty() || simulation.running_count() == 0) last_arrival = simulation.now();
+    if (!simulation.events().arrived.empty() || simulation.running_count() == 0)
+      last_arrival = simulation.now();
     lap(result.simulation_cpu_s);
     if (progress) progress(simulation);
   }

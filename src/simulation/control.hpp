@@ -28,7 +28,7 @@ struct LoggedDecision {
   std::vector<RoadId> new_route;  ///< empty: it keeps its way
   Millis old_cost = 0;
   Millis new_cost = 0;
-  Millis predicted_arrival = 0;   ///< on the way that was chosen
+  Millis predicted_arrival = 0;  ///< on the way that was chosen
 };
 
 enum class StopReason : std::uint8_t { emptied, end_reached, stalled, interrupted };
@@ -45,8 +45,8 @@ struct RunResult {
   IdVector<VehicleId, Millis> arrival;  ///< infinity: not arrived
 };
 
-/// Runs the simulation to its end. With a strategy its vehicles are re-routed each control period; without one
-/// SUMO is on its own. `progress` is called after every step; a set `stop` ends the run.
+/// Runs the simulation to its end. With a strategy its vehicles are re-routed each control period; without
+/// one SUMO is on its own. `progress` is called after every step; a set `stop` ends the run.
 RunResult control(Simulation& simulation, const Network& network, const Demand& demand, Strategy* strategy,
                   const ControlOptions& options, const std::function<void(const Simulation&)>& progress,
                   const std::atomic<bool>& stop);

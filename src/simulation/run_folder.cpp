@@ -16,14 +16,24 @@ namespace fs = std::filesystem;
 
 /// What a run decides itself or has no use for.
 bool is_replaced(const std::string& name) {
-  static constexpr std::array<std::string_view, 12> names{
-      "configuration-file", "save-configuration", "save-template", "save-schema", "save-commented", "route-files",
-      "additional-files",   "output-prefix",      "random",        "seed",        "scale",          "remote-port"};
+  static constexpr std::array<std::string_view, 12> names{"configuration-file",
+                                                          "save-configuration",
+                                                          "save-template",
+                                                          "save-schema",
+                                                          "save-commented",
+                                                          "route-files",
+                                                          "additional-files",
+                                                          "output-prefix",
+                                                          "random",
+                                                          "seed",
+                                                          "scale",
+                                                          "remote-port"};
   return std::find(names.begin(), names.end(), name) != names.end() || name.starts_with("device.rerouting.");
 }
 
 /// An output that we read must be XML under a known name; the user's name is kept where it is one.
-fs::path readable_output(Settings& run, OutputPlaces& places, std::string_view option, std::string_view file) {
+fs::path readable_output(Settings& run, OutputPlaces& places, std::string_view option,
+                         std::string_view file) {
   const std::string value = run.find(option).value_or("");
   const bool is_xml = value.ends_with(".xml") || value.ends_with(".xml.gz");
   if (!is_xml) run.set(option, places.place(file, places.folder()));
@@ -35,7 +45,10 @@ fs::path write_edge_data(const fs::path& folder) {
   const fs::path file = folder / "thalweg.add.xml";
   xml::Writer writer(file, "written by thalweg");
   writer.open("additional");
-  writer.open("edgeData").attribute("id", "thalweg").attribute("file", "edgedata.xml").attribute("excludeEmpty", "true");
+  writer.open("edgeData")
+      .attribute("id", "thalweg")
+      .attribute("file", "edgedata.xml")
+      .attribute("excludeEmpty", "true");
   writer.commit();
   return file;
 }
@@ -53,7 +66,8 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
     if (is_replaced(name) || option == nullptr) continue;
     run.set(name, SumoOptions::is_output(name, option->second) ? places.place(value, home) : value);
   }
-  RunFolder result{.folder = home, .configuration = home / "run.sumocfg", .tripinfo = {}, .statistics = {}, .errors = {}};
+  RunFolder result{
+      .folder = home, .configuration = home / "run.sumocfg", .tripinfo = {}, .statistics = {}, .errors = {}};
   result.tripinfo = readable_output(run, places, "tripinfo-output", "tripinfo.xml");
   result.statistics = readable_output(run, places, "statistic-output", "statistics.xml");
   if (!run.find("error-log")) run.set("error-log", places.place("sumo.log", home));
@@ -61,7 +75,8 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
   run.set("tripinfo-output.write-unfinished", "true");
   run.set("tripinfo-output.write-undeparted", "true");
   run.set("no-step-log", "true");
-  run.set("ignore-route-errors", "true");  // checked by duarouter; what SUMO still drops is counted as discarded
+  run.set("ignore-route-errors",
+          "true");  // checked by duarouter; what SUMO still drops is counted as discarded
   run.set("seed", std::to_string(seed));
   run.set("route-files", fs::absolute(arm.free_flow_routes ? demand.free_flow() : demand.given()).string());
 

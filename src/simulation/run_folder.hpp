@@ -16,12 +16,13 @@ struct RunFolder {
   std::filesystem::path configuration;  ///< run.sumocfg: for a baseline plain `sumo -c` repeats the run
   std::filesystem::path tripinfo;
   std::filesystem::path statistics;
-  std::filesystem::path errors;         ///< SUMO's warnings and errors
+  std::filesystem::path errors;  ///< SUMO's warnings and errors
 };
 
 /// Makes the folder ready: the user's configuration with the prepared demand in place of his, outputs and
 /// detectors' files moved into the folder, device.rerouting as the arm has it and nothing else.
-RunFolder make_run_folder(const std::filesystem::path& folder, const Settings& user, const SumoOptions& options,
-                          const DemandFiles& demand, const ArmSpec& arm, std::uint64_t seed);
+RunFolder make_run_folder(const std::filesystem::path& folder, const Settings& user,
+                          const SumoOptions& options, const DemandFiles& demand, const ArmSpec& arm,
+                          std::uint64_t seed);
 
 }  // namespace thalweg

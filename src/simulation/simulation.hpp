@@ -10,7 +10,8 @@
 
 namespace thalweg {
 
-/// Who was loaded, inserted and removed in the last step. Vehicles that the demand does not name are not in it.
+/// Who was loaded, inserted and removed in the last step. Vehicles that the demand does not name are not in
+/// it.
 struct StepEvents {
   std::vector<VehicleId> loaded;
   std::vector<VehicleId> departed;
@@ -19,11 +20,11 @@ struct StepEvents {
 
 /// What SUMO knows of one vehicle's way.
 struct Plan {
-  std::vector<RoadId> route;       ///< from the road it is on (on a junction: the one it comes from) to its last
-  std::size_t committed = 1;       ///< so many roads at the front can no longer change
-  double driven = 0;               ///< share of route.front() that lies behind it, 0 .. 1
-  std::vector<RoadId> waypoints;   ///< its stops ahead and its `via` still ahead, in the order of the route
-  bool can_change = true;          ///< false: it is not on the road (teleporting, parked) or its route is odd
+  std::vector<RoadId> route;  ///< from the road it is on (on a junction: the one it comes from) to its last
+  std::size_t committed = 1;  ///< so many roads at the front can no longer change
+  double driven = 0;          ///< share of route.front() that lies behind it, 0 .. 1
+  std::vector<RoadId> waypoints;  ///< its stops ahead and its `via` still ahead, in the order of the route
+  bool can_change = true;         ///< false: it is not on the road (teleporting, parked) or its route is odd
 };
 
 /// A running simulation, as the control loop needs it. SumoSession is SUMO; tests have one of their own.
@@ -44,8 +45,8 @@ class Simulation {
   /// All vehicles on the roads now, in an order that depends on the run alone.
   virtual std::span<const Observation> observe() = 0;
   virtual Plan plan(VehicleId vehicle) = 0;
-  /// Gives a vehicle the route to drive from the front of its plan's route on. False: SUMO refused it, and the
-  /// vehicle keeps its way.
+  /// Gives a vehicle the route to drive from the front of its plan's route on. False: SUMO refused it, and
+  /// the vehicle keeps its way.
   virtual bool assign(VehicleId vehicle, std::span<const RoadId> route) = 0;
   /// Ends the simulation, so that every output is complete.
   virtual void close() = 0;
@@ -53,7 +54,7 @@ class Simulation {
 
 /// What a session needs to translate between SUMO's names and ids.
 struct SessionSetup {
-  std::vector<std::string> arguments;       ///< SUMO's, without the program's name
+  std::vector<std::string> arguments;  ///< SUMO's, without the program's name
   const Network* network = nullptr;
   const std::vector<std::string>* vehicles = nullptr;  ///< names by VehicleId
 };

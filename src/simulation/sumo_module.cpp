@@ -16,10 +16,10 @@ void* module_symbol(const char* name) {
     const auto file = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "thalweg_sumo.so";
     void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (handle == nullptr) {
-      throw InputError(
-          fmt::format("SUMO's library cannot be loaded: {}\n  'tools/setup' installs SUMO, 'tools/build' builds against "
-                      "it, 'thalweg doctor' tells more.",
-                      dlerror()));
+      throw InputError(fmt::format(
+          "SUMO's library cannot be loaded: {}\n  'tools/setup' installs SUMO, 'tools/build' builds against "
+          "it, 'thalweg doctor' tells more.",
+          dlerror()));
     }
     return handle;
   }();
@@ -36,7 +36,8 @@ std::unique_ptr<Simulation> open_sumo(const SessionSetup& setup) {
 }
 
 std::string sumo_library_version() {
-  const auto version = reinterpret_cast<decltype(&thalweg_sumo_version)>(module_symbol("thalweg_sumo_version"));
+  const auto version =
+      reinterpret_cast<decltype(&thalweg_sumo_version)>(module_symbol("thalweg_sumo_version"));
   return version();
 }
 

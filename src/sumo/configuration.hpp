@@ -14,7 +14,8 @@ struct Setting {
   std::string value;
 };
 
-/// A configuration in SUMO's format: any root, sections of any name, `<option value="..."/>`. In the file's order.
+/// A configuration in SUMO's format: any root, sections of any name, `<option value="..."/>`. In the file's
+/// order.
 std::vector<Setting> read_configuration(const std::filesystem::path& file);
 
 void write_configuration(const std::filesystem::path& file, std::string_view header,

@@ -35,9 +35,7 @@ fs::path find_tool(const fs::path& home, const char* name) {
   return boost::process::search_path(name).string();
 }
 
-void set_if_missing(const char* name, const fs::path& value) {
-  setenv(name, value.c_str(), 0);
-}
+void set_if_missing(const char* name, const fs::path& value) { setenv(name, value.c_str(), 0); }
 
 }  // namespace
 
@@ -64,8 +62,8 @@ void prepare_environment(const SumoInstallation& sumo) {
 int run_program(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& log) {
   namespace bp = boost::process;
   try {
-    bp::child child(bp::exe = program.string(), bp::args = arguments, bp::std_in < bp::null,
-                    (bp::std_out & bp::std_err) > log.string());
+    bp::child child(bp::exe = program.string(), bp::args = arguments,
+                    bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string());
     child.wait();
     const int status = child.native_exit_code();
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : child.exit_code();
@@ -83,8 +81,10 @@ std::string read_text(const fs::path& file) {
 
 void require_tool(const fs::path& tool, const std::string& name) {
   if (!tool.empty()) return;
-  throw InputError(fmt::format(
-      "SUMO's {} was not found: install SUMO with tools/setup, or set SUMO_HOME ('thalweg doctor' tells more)", name));
+  throw InputError(
+      fmt::format("SUMO's {} was not found: install SUMO with tools/setup, or set SUMO_HOME ('thalweg "
+                  "doctor' tells more)",
+                  name));
 }
 
 }  // namespace thalweg

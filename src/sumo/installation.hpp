@@ -15,8 +15,8 @@ struct SumoInstallation {
 };
 SumoInstallation find_sumo();
 
-/// Sets what SUMO wants in the environment and the user has not set: SUMO_HOME (or every run warns and validates
-/// over the network) and the place of PROJ's data, which the wheel brings along.
+/// Sets what SUMO wants in the environment and the user has not set: SUMO_HOME (or every run warns and
+/// validates over the network) and the place of PROJ's data, which the wheel brings along.
 void prepare_environment(const SumoInstallation& sumo);
 
 /// Runs a program and waits for it; what it prints goes to `log`. Returns its exit code (128 + n: signal n).

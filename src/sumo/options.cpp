@@ -35,7 +35,8 @@ SumoOptions SumoOptions::ask(const std::filesystem::path& program, const std::fi
   const auto log = scratch / (program.filename().string() + ".options.log");
   const int exit = run_program(program, {"--save-template", file.string()}, log);
   if (exit != 0) {
-    throw InputError(fmt::format("'{}' does not run (exit {}): {}", program.string(), exit, trimmed(read_text(log))));
+    throw InputError(
+        fmt::format("'{}' does not run (exit {}): {}", program.string(), exit, trimmed(read_text(log))));
   }
   SumoOptions options;
   TemplateHandler handler(options);
@@ -63,9 +64,11 @@ std::vector<std::string> SumoOptions::names() const {
 
 bool SumoOptions::is_input(std::string_view name, const Option& option) {
   static constexpr std::array<std::string_view, 13> inputs{
-      "configuration-file", "net-file",      "route-files",       "additional-files", "weight-files",
-      "load-state",         "phemlight-path", "gui-settings-file", "edgedata-files",   "alternative-net-file",
-      "selection-file",     "device.fcd-replay.files", "breakpoints"};
+      "configuration-file",   "net-file",          "route-files",
+      "additional-files",     "weight-files",      "load-state",
+      "phemlight-path",       "gui-settings-file", "edgedata-files",
+      "alternative-net-file", "selection-file",    "device.fcd-replay.files",
+      "breakpoints"};
   if (std::find(inputs.begin(), inputs.end(), name) != inputs.end()) return option.type == "FILE";
   return option.type == "FILE" && (name.ends_with("input-file") || name.starts_with("astar."));
 }

@@ -15,9 +15,9 @@ struct Observation {
   double speed = 0;
 };
 
-/// The live travel time of every road: its length by its mean speed over the last `window`. At each sample a road
-/// counts the mean speed of the vehicles on it, an empty road its limit; the samples are averaged. This is how
-/// SUMO's device.rerouting measures (MSRoutingEngine, adaptation-steps 180), internal roads included.
+/// The live travel time of every road: its length by its mean speed over the last `window`. At each sample a
+/// road counts the mean speed of the vehicles on it, an empty road its limit; the samples are averaged. This
+/// is how SUMO's device.rerouting measures (MSRoutingEngine, adaptation-steps 180), internal roads included.
 /// Speeds are kept in whole mm/s: what was added is taken away again to the last unit.
 class MeasuredTimes {
  public:
@@ -39,12 +39,12 @@ class MeasuredTimes {
     std::int32_t count = 0;
   };
 
-  IdVector<RoadId, std::int32_t> limit_;             ///< mm/s
-  IdVector<RoadId, std::int64_t> length_;            ///< mm
-  IdVector<RoadId, std::int64_t> deviation_;         ///< mm/s, summed over the window
-  std::vector<std::vector<Entry>> ring_;             ///< a slot a sample
+  IdVector<RoadId, std::int32_t> limit_;      ///< mm/s
+  IdVector<RoadId, std::int64_t> length_;     ///< mm
+  IdVector<RoadId, std::int64_t> deviation_;  ///< mm/s, summed over the window
+  std::vector<std::vector<Entry>> ring_;      ///< a slot a sample
   std::size_t slot_ = 0;
-  IdVector<RoadId, Speeds> speeds_;                  ///< of the sample at hand; all zero in between
+  IdVector<RoadId, Speeds> speeds_;  ///< of the sample at hand; all zero in between
 };
 
 }  // namespace thalweg

@@ -29,7 +29,8 @@ struct Node {
   [[nodiscard]] InputError error(std::string_view message) const;
 };
 
-/// Calls `root` with the opening tag of the file's root and `each` with every element below it, one held at a time.
+/// Calls `root` with the opening tag of the file's root and `each` with every element below it, one held at a
+/// time.
 void read_nodes(const std::filesystem::path& file, const std::function<void(const Element&)>& root,
                 const std::function<void(Node&)>& each);
 
