@@ -2,6 +2,7 @@
 """`thalweg route` finds ways that cost what duarouter's cost, in every city and every sample network."""
 import functools
 import random
+import re
 
 import support
 from support import City, expand, on_each, read_xml, run_tool, sample_net, sumolib, write
@@ -127,6 +128,49 @@ class RouteParity(support.TestCase):
     @on_each(support.CITY_FILES)
     def test_other_penalties_city(self, name):
         self.compare(City(name).net, "others", False)
+
+    @on_each(("bus", "truck", "bicycle"))
+    def test_classes(self, vehicle_class):
+        """Bus lanes, forbidden roads, and the class's own top speed."""
+        self.compare(City("bologna-joined").net, "default", False, vehicle_class)
+
+    @on_each(("passenger", "truck"))
+    def test_speed_restrictions(self, vehicle_class):
+        """Road types that slow trucks down, or let them drive faster than the lane says."""
+        net = self.folder() / "restricted.net.xml"
+        run_tool("netgenerate", "--grid", "--grid.number", 5, "-o", net)
+        types = ('<type id="slow"><restriction vClass="truck" speed="3"/></type>'
+                 '<type id="fast"><restriction vClass="truck" speed="30"/></type><type id="usual"/>')
+        text = re.sub(r"(<location [^>]*/>)", r"\1" + types, net.read_text())
+        draw = random.Random(SEED)
+        text = re.sub(r'<edge (id="[A-Z])', lambda found: f'<edge type="{draw.choice(("slow", "fast", "usual"))}" '
+                      + found.group(1), text)
+        self.assertGreater(text.count('type="slow"'), 10)
+        write(net, text)
+        self.compare(net, "default", False, vehicle_class)
+
+    def test_no_way(self):
+        """Both leave the same trips out, and ours says why.
+
+             A ---> B     C ---> D
+        """
+        folder = self.folder()
+        nodes = "".join(f'<node id="{n}" x="{100 * x}" y="0"/>' for x, n in enumerate("ABCD"))
+        write(folder / "n.nod.xml", f"<nodes>{nodes}</nodes>")
+        write(folder / "e.edg.xml", '<edges><edge id="AB" from="A" to="B"/><edge id="CD" from="C" to="D"/></edges>')
+        net = folder / "parts.net.xml"
+        run_tool("netconvert", "-n", folder / "n.nod.xml", "-e", folder / "e.edg.xml", "-o", net)
+        trips = write(folder / "t.xml", '<routes><trip id="no" depart="0" from="AB" to="CD"/>'
+                      '<trip id="yes" depart="0" from="CD" to="CD"/></routes>')
+        options = self.penalties("default")
+        self.assert_equal_costs(load(net), self.thalweg(net, trips, folder, options, "evolved"),
+                                self.duarouter(net, trips, folder, options), 1)
+        result = support.thalweg("route", "-n", net, "-r", trips, "-o", folder / "ours.xml", "--ignore-errors")
+        self.assertIn("there is no way from 'AB' to 'CD'", result.err)
+        result = support.thalweg("route", "-n", net, "-r", trips, "-o", folder / "strict.xml")
+        self.assertEqual(result.exit, 1)
+        self.assertIn("there is no way from 'AB' to 'CD'", result.err)
+        self.assertFalse((folder / "strict.xml").exists())
 
 
 if __name__ == "__main__":
