@@ -101,8 +101,8 @@ void Options::parse(std::span<const std::string> arguments) {
       set(*find(option.string_key), option.value.empty() ? "true" : option.value.front(), true);
     }
   } catch (const po::unknown_option& error) {
-    const auto name = trimmed(error.get_option_name());
-    const auto bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+    const std::string name(trimmed(error.get_option_name()));
+    const std::string bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
     throw InputError(fmt::format("there is no option '{}'{}; 'thalweg {} --help' lists them", name,
                                  did_you_mean(bare, names), command_));
   } catch (const po::too_many_positional_options_error&) {
