@@ -135,6 +135,7 @@ struct Session {
   xmlParserCtxtPtr context = nullptr;
   std::vector<Attribute> attributes;
   std::exception_ptr failure;
+  std::string first_error{};  ///< with its line; those that follow are consequences
 
   template <class Action>
   void guarded(Action action) {
@@ -149,10 +150,14 @@ struct Session {
 };
 
 int on_read(void* session, char* buffer, int size) {
-  int count = -1;
-  static_cast<Session*>(session)->guarded(
-      [&] { count = static_cast<Session*>(session)->source.read(buffer, size); });
-  return count;
+  auto& own = *static_cast<Session*>(session);
+  if (own.failure) return -1;
+  try {
+    return own.source.read(buffer, size);
+  } catch (...) {  // xmlStopParser must not be called from here: the parser holds on to its input
+    own.failure = std::current_exception();
+    return -1;
+  }
 }
 
 void on_start(void* data, const xmlChar* name, const xmlChar* /*prefix*/, const xmlChar* /*uri*/,
@@ -187,12 +192,22 @@ void on_document_type(void* data, const xmlChar* /*name*/, const xmlChar* /*id*/
   });
 }
 
+/// The type of `error` is const in newer versions of libxml2.
+template <class Error>
+void on_error(void* data, Error error) {
+  auto& session = *static_cast<Session*>(data);
+  if (!session.first_error.empty() || error->level < XML_ERR_ERROR) return;
+  session.first_error = fmt::format("{}:{}: not well-formed XML: {}", session.name, error->line,
+                                    trimmed(error->message == nullptr ? "" : error->message));
+}
+
 void run(Session& session) {
   xmlSAXHandler sax{};
   sax.initialized = XML_SAX2_MAGIC;
   sax.startElementNs = on_start;
   sax.endElementNs = on_end;
   sax.internalSubset = on_document_type;
+  sax.serror = on_error;
   const std::unique_ptr<xmlParserCtxt, decltype(&xmlFreeParserCtxt)> context(
       xmlCreateIOParserCtxt(&sax, &session, on_read, nullptr, &session, XML_CHAR_ENCODING_NONE),
       &xmlFreeParserCtxt);
@@ -206,10 +221,8 @@ void run(Session& session) {
   context->myDoc = nullptr;
   if (session.failure) std::rethrow_exception(session.failure);
   if (well_formed) return;
-  const xmlError* last = xmlCtxtGetLastError(context.get());
-  if (last == nullptr) throw InputError(fmt::format("'{}' is not well-formed XML", session.name));
-  throw InputError(fmt::format("{}:{}: not well-formed XML: {}", session.name, last->line,
-                               trimmed(last->message == nullptr ? "" : last->message)));
+  throw InputError(session.first_error.empty() ? fmt::format("'{}' is not well-formed XML", session.name)
+                                               : session.first_error);
 }
 
 }  // namespace
