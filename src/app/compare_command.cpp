@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <boost/process.hpp>
 #include <mutex>
@@ -45,6 +46,13 @@ std::vector<std::uint64_t> seeds_of(const Options& options) {
   verify(count >= 1, "--seeds must be at least 1");
   for (std::uint64_t i = 0; i < count; ++i) seeds.push_back(options.count("seed") + i);
   return seeds;
+}
+
+/// Two runs in one folder would overwrite each other.
+template <class T>
+bool has_twins(std::vector<T> values) {
+  std::sort(values.begin(), values.end());
+  return std::adjacent_find(values.begin(), values.end()) != values.end();
 }
 
 /// The call of `thalweg run` for one arm and seed: what the command line says, and where the prepared demand
@@ -146,17 +154,23 @@ int compare_command(std::span<const std::string> arguments) {
   options.parse(arguments);
   if (options.answered()) return 0;
   catch_interrupts();
-  const Project project = load_project(options);
-  const auto jobs_at_a_time = options.count("jobs");
-  verify(jobs_at_a_time >= 1 && jobs_at_a_time <= 64, "--jobs must be from 1 to 64");
-  Comparison comparison{.thalweg = THALWEG_VERSION,
-                        .sumo = sumo_library_version(),
-                        .configuration = options.text("configuration-file"),
-                        .command = command_line(arguments),
-                        .seeds = seeds_of(options)};
-  const auto names = split_arms(options.text("arms"));
-  verify(!names.empty(), "--arms names no arm");
-  for (const auto& name : names) comparison.arms.push_back({.name = parse_arm(name, project.catalogue).name});
+  Comparison comparison;
+  std::uint64_t jobs_at_a_time = 1;
+  std::vector<std::string> names;
+  const Project project = load_project(options, [&](const SumoOptions& catalogue) {
+    jobs_at_a_time = options.count("jobs");
+    verify(jobs_at_a_time >= 1 && jobs_at_a_time <= 64, "--jobs must be from 1 to 64");
+    comparison.seeds = seeds_of(options);
+    verify(!has_twins(comparison.seeds), "--seeds names a seed twice");
+    names = split_arms(options.text("arms"));
+    verify(!names.empty(), "--arms names no arm");
+    verify(!has_twins(names), "--arms names an arm twice");
+    for (const auto& name : names) comparison.arms.push_back({.name = parse_arm(name, catalogue).name});
+  });
+  comparison.thalweg = THALWEG_VERSION;
+  comparison.sumo = sumo_library_version();
+  comparison.configuration = options.text("configuration-file");
+  comparison.command = command_line(arguments);
 
   std::vector<Job> jobs;  // seed by seed, so that an early end leaves whole seeds
   for (const std::uint64_t seed : comparison.seeds) {
