@@ -199,7 +199,10 @@ void run(Session& session) {
   if (session.failure) std::rethrow_exception(session.failure);
   if (!context) throw InputError(fmt::format("cannot read '{}': out of memory", session.name));
   session.context = context.get();
-  xmlCtxtUseOptions(context.get(), XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
+  // NOENT: "&amp;" arrives as "&", not as "&#38;". Document types are refused, so that there are no entities
+  // but the five of XML itself.
+  xmlCtxtUseOptions(context.get(),
+                    XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
   const bool well_formed = xmlParseDocument(context.get()) == 0 && context->wellFormed != 0;
   session.context = nullptr;
   if (context->myDoc != nullptr) xmlFreeDoc(context->myDoc);
