@@ -277,7 +277,7 @@ std::vector<BadNet> bad_nets() {
       {"NotANet", "<?xml version=\"1.0\"?>\n<routes/>", "(text):2: <routes>: this is no SUMO network"},
       {"Empty", "", "(text):1: not well-formed XML"},
       {"NoXml", "junction A", "(text):1: not well-formed XML"},
-      {"CutShort", small_net(good_lane).substr(0, 120), "(text):5: not well-formed XML: Premature end"},
+      {"CutShort", small_net(good_lane).substr(0, 120), "(text):5: not well-formed XML: AttValue: ' expected"},
       {"DocumentType", "<!DOCTYPE net SYSTEM \"file:///etc/hostname\">\n<net/>", "(text):1: <!DOCTYPE>"},
       {"EntityExpansion", "<!DOCTYPE net [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;&a;&a;\">]>\n<net>&b;</net>",
        "(text):1: <!DOCTYPE>"},
