@@ -38,7 +38,7 @@ class Agenda {
   }
   void on_departed(VehicleId vehicle, Millis now) {
     entries_[vehicle].state = State::running;
-    schedule(vehicle, next_turn(vehicle, now));
+    schedule(vehicle, period_ == 0 ? now : next_turn(vehicle, now));
   }
   void on_arrived(VehicleId vehicle) { entries_[vehicle] = {}; }
   void reschedule(VehicleId vehicle, Millis now) { schedule(vehicle, next_turn(vehicle, now)); }
