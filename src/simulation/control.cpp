@@ -35,8 +35,8 @@ std::vector<std::size_t> kept_positions(const Plan& plan, const std::vector<Road
   // behind us.
   auto end = plan.route.rend();
   auto position = plan.route.rbegin();
-  for (auto road = via.rbegin(); road != via.rend(); ++road) {
-    position = std::find(position, end, *road);
+  for (std::size_t i = via.size(); i-- > 0;) {
+    position = std::find(position, end, via[i]);
     if (position == end) break;
     kept.push_back(static_cast<std::size_t>(end - position) - 1);
   }

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the tests that drive the program share. Only the standard library and SUMO's own sumolib."""
-import filecmp
 import gzip
+import json
 import os
+import random
 import re
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
@@ -169,3 +169,83 @@ def without_comments(file):
 def write(file, text):
     Path(file).write_text(text, encoding="utf-8")
     return Path(file)
+
+
+# ----------------------------------------------------------------------------------------------- cities of ours
+
+def make_grid(folder, *options, number=5):
+    """A grid of signalised junctions, 150 m apart, junction names A0, A1 .. and roads A0A1 ..; its net."""
+    net = Path(folder) / "grid.net.xml"
+    run_tool("netgenerate", "--grid", "--grid.number", number, "--grid.length", 150, "--default.lanenumber", 2,
+             "--default-junction-type", "traffic_light", "--no-turnarounds", "true", "-o", net, *options)
+    return net
+
+
+def normal_roads(net):
+    return sorted(road.getID() for road in sumolib.net.readNet(str(net)).getEdges(withInternal=False))
+
+
+def random_trips(net, count, duration, seed=7, **more):
+    """`count` trips within `duration` seconds between roads drawn at random; `more`: attributes of each."""
+    draw, roads = random.Random(seed), normal_roads(net)
+    extra = "".join(f' {name}="{value}"' for name, value in more.items())
+    trips = []
+    for i in range(count):
+        origin, destination = draw.sample(roads, 2)
+        trips.append(f'<trip id="t{i}" depart="{i * duration / count:.2f}" from="{origin}" to="{destination}"{extra}/>')
+    return trips
+
+
+def write_routes(file, elements):
+    return write(file, "<routes>\n" + "\n".join(elements) + "\n</routes>\n")
+
+
+# ------------------------------------------------------------------------------------------------- runs
+
+def in_order(parts, whole):
+    """Whether `whole` has all of `parts`, in their order."""
+    remaining = iter(whole)
+    return all(part in remaining for part in parts)
+
+
+class Run:
+    """What `thalweg run` left in its folder."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        self.summary = json.loads((self.folder / "run.json").read_text())
+        self.trips = {trip.get("id"): trip for trip in read_xml(self.folder / "tripinfo.xml").iter("tripinfo")}
+
+    def decisions(self):
+        return list(read_xml(self.folder / "decisions.xml"))
+
+    def route_lists(self):
+        """Of each vehicle: its routes one after the other, as (the time it was replaced or None, roads)."""
+        routes = {}
+        for vehicle in read_xml(self.folder / "vehroute.xml").iter("vehicle"):
+            lists = [(route.get("replacedAtTime"), route.get("edges").split()) for route in vehicle.iter("route")]
+            routes[vehicle.get("id")] = [(None if time is None else float(time), roads) for time, roads in lists]
+        return routes
+
+    def routes(self):
+        """Of each vehicle: the route it drove in the end."""
+        return {vehicle: routes[-1][1] for vehicle, routes in self.route_lists().items()}
+
+
+class RunCase(TestCase):
+    """For tests of `thalweg run`."""
+
+    def assert_accounted(self, summary):
+        parts = ("finished", "running", "waiting", "dropped", "discarded", "not_loaded")
+        self.assertEqual(summary["vehicles"], sum(summary[part] for part in parts), summary)
+        self.assertEqual((summary["unknown"], summary["exit"], summary["error"]), (0, 0, None))
+
+    def run_city(self, *arguments, sumo=(), name="run", folder=None, **how):
+        """`thalweg run` with a decision log and SUMO's routes of each vehicle; checks that nobody is lost."""
+        folder = (folder or self.folder()) / name
+        folder.mkdir()
+        self.succeeds("run", "-o", folder, "--decision-output", "decisions.xml", *arguments, "--",
+                      "--vehroute-output", folder / "vehroute.xml", "--vehroute-output.write-unfinished", *sumo, **how)
+        run = Run(folder)
+        self.assert_accounted(run.summary)
+        return run
