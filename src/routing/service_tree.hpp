@@ -22,7 +22,7 @@ template <class Search>
 class ServiceTreeStrategy : public Strategy {
  public:
   explicit ServiceTreeStrategy(const StrategyOptions& options)
-      : rule_(options.rule), scratch_(options.threads) {}
+      : rule_(options.rule), scratch_(std::max<std::size_t>(1, options.threads)) {}
 
   void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
               std::vector<Decision>& decisions) override {
