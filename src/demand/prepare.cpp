@@ -97,10 +97,12 @@ std::string via_of(const std::string& id, const InputScan& scan) {
   return found == scan.via.end() ? std::string() : found->second;
 }
 
-/// The arms' file of vehicles: types in front, what duarouter dropped on the way noted in `demand`.
+/// The arms' file of vehicles: types in front (without those of additional files, which SUMO reads itself),
+/// what duarouter dropped on the way noted in `demand`.
 void write_given(const fs::path& routed, const fs::path& types_file, const TypeClasses& other_types,
                  const InputScan& scan, const Network& network, const DemandFiles& files, Demand& demand) {
   TypeClasses types = other_types;
+  types.merge(default_types());
   read_types(types_file, types);
   xml::Writer writer(files.given(), "prepared by thalweg: the same demand for every arm");
   writer.open("routes");
@@ -237,7 +239,7 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   fs::create_directories(files.folder);
   const Duarouter duarouter(settings, sumo, files.folder);
   InputScan scan;
-  TypeClasses other_types = default_types();
+  TypeClasses other_types;  // of additional files
   std::string inputs;
   int number = 0;
   const auto scan_all = [&](std::string_view option, bool is_additional) {
