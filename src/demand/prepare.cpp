@@ -93,7 +93,9 @@ std::unordered_map<std::string, std::string> reasons_of(const std::string& log) 
 /// The way points of a vehicle: its own, or those of the flow it came from ("flow.3").
 std::string via_of(const std::string& id, const InputScan& scan) {
   auto found = scan.via.find(id);
-  if (found == scan.via.end()) found = scan.via.find(id.substr(0, id.rfind('.')));
+  if (found == scan.via.end() && !scan.seen.contains(id)) {
+    found = scan.via.find(id.substr(0, id.rfind('.')));
+  }
   return found == scan.via.end() ? std::string() : found->second;
 }
 
