@@ -61,9 +61,10 @@ std::string OutputPlaces::place(std::string_view value, const fs::path& from) {
   if (is_special(value)) return std::string(value);
   const fs::path wanted = fs::absolute(from / value).lexically_normal();
   fs::path relative = fs::path(value).lexically_normal();
+  relative.replace_filename(prefix_ + relative.filename().string());  // the prefix may name folders, too
+  relative = relative.lexically_normal();
   const bool leads_out = relative.is_absolute() || (!relative.empty() && *relative.begin() == "..");
   if (leads_out) relative = relative.filename();
-  relative.replace_filename(prefix_ + relative.filename().string());
   fs::path free = relative;
   for (int i = 2; taken_.contains(free) && taken_[free] != wanted; ++i) {
     free = relative;
