@@ -72,6 +72,11 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
   result.statistics = readable_output(run, places, "statistic-output", "statistics.xml");
   if (!run.find("error-log")) run.set("error-log", places.place("sumo.log", home));
   result.errors = *run.find("error-log");
+  // What an earlier run left here must not be read as this one's, should SUMO write elsewhere or not at all.
+  for (const fs::path& file : {result.tripinfo, result.statistics, result.errors}) {
+    std::error_code ignored;
+    if (file.is_absolute() && fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
+  }
   run.set("tripinfo-output.write-unfinished", "true");
   run.set("tripinfo-output.write-undeparted", "true");
   run.set("no-step-log", "true");
