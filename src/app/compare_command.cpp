@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <boost/process.hpp>
 #include <mutex>
@@ -39,6 +40,7 @@ std::vector<std::uint64_t> seeds_of(const Options& options) {
       verify(seed.has_value(), fmt::format("--seeds {}: '{}' is no seed", text, part));
       seeds.push_back(*seed);
     }
+    verify(!seeds.empty(), fmt::format("--seeds {}: there is no seed in this list", text));
     return seeds;
   }
   const std::uint64_t count = options.count("seeds");
@@ -63,6 +65,14 @@ std::vector<std::string> child_arguments(const Options& options, const Project& 
   if (!options.for_sumo().empty()) arguments.emplace_back("--");
   arguments.insert(arguments.end(), options.for_sumo().begin(), options.for_sumo().end());
   return arguments;
+}
+
+/// Two runs of one arm and seed would write into the same folder at the same time.
+template <class T>
+void verify_distinct(std::vector<T> values, std::string_view option) {
+  std::sort(values.begin(), values.end());
+  const auto twice = std::adjacent_find(values.begin(), values.end());
+  if (twice != values.end()) throw InputError(fmt::format("--{} names '{}' twice", option, *twice));
 }
 
 /// Runs the child to its end and reads what it left. A child that died is a failed run with its last words.
@@ -151,6 +161,8 @@ int compare_command(std::span<const std::string> arguments) {
                         .seeds = seeds_of(options)};
   const auto names = split_arms(options.text("arms"));
   verify(!names.empty(), "--arms names no arm");
+  verify_distinct(names, "arms");
+  verify_distinct(comparison.seeds, "seeds");
   for (const auto& name : names) comparison.arms.push_back({.name = parse_arm(name, project.catalogue).name});
 
   std::vector<Job> jobs;  // seed by seed, so that an early end leaves whole seeds
