@@ -110,7 +110,14 @@ std::vector<RunSummary> run_jobs(const std::vector<Job>& jobs, const std::vector
   ProgressLine progress;
   const auto work = [&] {
     for (std::size_t i = next++; i < jobs.size() && !stop_requested; i = next++) {
-      results[i] = run_job(jobs[i], arms[jobs[i].arm]);
+      try {
+        results[i] = run_job(jobs[i], arms[jobs[i].arm]);
+      } catch (const std::exception& error) {  // out of a thread it would end the program
+        results[i].arm = arms[jobs[i].arm];
+        results[i].seed = jobs[i].seed;
+        results[i].exit = 1;
+        results[i].error = error.what();
+      }
       const std::scoped_lock lock(mutex);
       progress.show(fmt::format("{} of {} runs done, the last: {}, seed {}", ++done, jobs.size(),
                                 arms[jobs[i].arm], jobs[i].seed));
