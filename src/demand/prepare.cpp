@@ -260,6 +260,14 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   scan_all("route-files", false);
   verify(!scan.seen.empty(), "the configuration has no demand: no vehicle, trip or flow in its route files");
 
+  if (inputs.empty()) {  // all demand is in additional files; duarouter wants a route file nevertheless
+    const fs::path nothing = files.folder / fmt::format("input.{}.xml", number++);
+    xml::Writer writer(nothing, "no demand beside that of the additional files");
+    writer.open("routes");
+    writer.commit();
+    inputs = nothing.string();
+  }
+
   Demand demand;
   const fs::path routed = files.folder / "routed.xml";
   const fs::path types = files.folder / "types.xml";
