@@ -64,7 +64,7 @@ class Router {
     }
     turn_costs(*graph_, traffic.road_times, traffic.turn_costs);
     traffic_.push_back(std::move(traffic));
-    strategy_ = make_strategy(options.text("strategy"), {.rule = {}, .threads = options.count("threads")});
+    strategy_ = make_strategy(options.text("strategy"), {.rule = {.relative = 0, .spread = 0, .absolute = 0}, .threads = options.count("threads")});
   }
 
   /// Adds a trip; what is wrong with it is returned, and nothing when it is well.

@@ -78,10 +78,9 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
                    const RunFolder& folder, RunSummary& summary) {
   const ControlOptions control_with = control_options(options);
   const auto strategy = arm.ours ? make_strategy(arm.name, strategy_options(options)) : nullptr;
-  std::vector<std::string> names;
-  for (const DemandVehicle& vehicle : project.demand.vehicles) names.push_back(vehicle.id);
-  SessionSetup setup{
-      .arguments = {"-c", folder.configuration.string()}, .network = &project.network, .vehicles = &names};
+  SessionSetup setup{.arguments = {"-c", folder.configuration.string()},
+                     .network = &project.network,
+                     .demand = &project.demand};
   setup.arguments.insert(setup.arguments.end(), options.for_sumo().begin(), options.for_sumo().end());
 
   const auto start = std::chrono::steady_clock::now();

@@ -19,7 +19,7 @@ constexpr std::string_view trimmed(std::string_view text) {
 /// nullopt.
 inline std::optional<double> parse_number(std::string_view text) {
   text = trimmed(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool finite = value - value == 0;

@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "core/number.hpp"
+#include "demand/additional.hpp"
 #include "demand/input_scan.hpp"
 #include "demand/vehicle_file.hpp"
 #include "sumo/options.hpp"
@@ -202,6 +203,24 @@ void write_free_flow(const Duarouter& duarouter, const DemandFiles& files, const
   fs::remove(routed);
 }
 
+/// The user's settings for a second call of duarouter: the vehicles of additional files are in the given file
+/// by now, and all are scaled already. The additional files' copies are written to `scratch`.
+Settings without_demand(const Settings& settings, const fs::path& scratch) {
+  fs::create_directories(scratch);
+  OutputPlaces places(scratch, "");
+  std::string copies;
+  int number = 0;
+  for (const auto& file : file_list(settings.find("additional-files").value_or(""))) {
+    const fs::path copy = scratch / fmt::format("additional.{}.xml", number++);
+    rewrite_additional(file, copy, places);
+    copies += (copies.empty() ? "" : ",") + copy.string();
+  }
+  Settings rest = settings;
+  rest.erase("scale");
+  rest.set("additional-files", copies);
+  return rest;
+}
+
 void write_dropped(const DemandFiles& files, const std::vector<DroppedVehicle>& dropped) {
   xml::Writer writer(files.dropped(), "vehicles left out of every arm, and why");
   writer.open("dropped");
@@ -248,7 +267,9 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   write_given(routed, types, other_types, scan, network, files, demand);
   note_unrouted(scan, log, demand);
   if (scan.has_given_routes) {
-    write_free_flow(duarouter, files, demand);
+    const fs::path scratch = files.folder / "static";
+    write_free_flow(Duarouter(without_demand(settings, scratch), sumo, files.folder), files, demand);
+    fs::remove_all(scratch);
   } else {
     fs::copy_file(files.given(), files.free_flow(), fs::copy_options::overwrite_existing);
   }

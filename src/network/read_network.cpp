@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 #include "core/number.hpp"
@@ -92,12 +91,13 @@ class NetworkHandler : public xml::Handler {
     return shape;
   }
 
-  /// A junction may be named before it is described.
-  JunctionId junction(std::string_view id) {
+  /// A junction may be named, by `element`, before it is described.
+  JunctionId junction(const xml::Element& element, std::string_view id) {
     const auto [entry, is_new] = junction_ids_.try_emplace(std::string(id), net_.junctions.next_id());
     if (is_new) {
       net_.junctions.push_back({.id = std::string(id), .type = {}, .position = {}, .shape = {}});
-      junction_seen_.push_back(false);
+      junction_missing_.push_back(
+          element.error(fmt::format("the junction '{}' is not in the net", id)).what());
     }
     return entry->second;
   }
@@ -107,8 +107,8 @@ class NetworkHandler : public xml::Handler {
     road.id = element.require("id");
     road.function = parse_function(element);
     if (road.function == RoadFunction::normal || road.function == RoadFunction::connector) {
-      road.from = junction(element.require("from"));
-      road.to = junction(element.require("to"));
+      road.from = junction(element, element.require("from"));
+      road.to = junction(element, element.require("to"));
     }
     road.type = element.value_or("type", "");
     road.name = element.value_or("name", "");
@@ -204,9 +204,9 @@ class NetworkHandler : public xml::Handler {
 
   void read_junction(const xml::Element& element) {
     if (element.value_or("type", "") == "internal") return;  // a point within a junction, not one of its own
-    const JunctionId id = junction(element.require("id"));
-    if (junction_seen_[id.value]) throw element.error("there is a junction of this id already");
-    junction_seen_[id.value] = true;
+    const JunctionId id = junction(element, element.require("id"));
+    if (junction_missing_[id].empty()) throw element.error("there is a junction of this id already");
+    junction_missing_[id].clear();
     Junction& described = net_.junctions[id];
     described.type = element.value_or("type", "");
     described.position = {.x = element.number("x"), .y = element.number("y"), .z = element.number_or("z", 0)};
@@ -246,7 +246,8 @@ class NetworkHandler : public xml::Handler {
 
   void read_roundabout(const xml::Element& element) {
     Roundabout roundabout;
-    for (const auto id : split(element.require("nodes"), " ")) roundabout.junctions.push_back(junction(id));
+    for (const auto id : split(element.require("nodes"), " "))
+      roundabout.junctions.push_back(junction(element, id));
     for (const auto id : split(element.require("edges"), " ")) {
       const auto road = net_.find_road(id);
       if (!road) throw element.error(fmt::format("edges: '{}' is no edge of this net", id));
@@ -267,11 +268,9 @@ class NetworkHandler : public xml::Handler {
   }
 
   void finish() {
-    const auto missing = std::find(junction_seen_.begin(), junction_seen_.end(), false);
-    if (missing == junction_seen_.end()) return;
-    const JunctionId id{static_cast<std::size_t>(missing - junction_seen_.begin())};
-    throw InputError(
-        fmt::format("the junction '{}' is named by an edge but is not in the net", net_.junctions[id].id));
+    for (const auto& missing : junction_missing_) {
+      if (!missing.empty()) throw InputError(missing);
+    }
   }
 
   Network net_;
@@ -280,7 +279,7 @@ class NetworkHandler : public xml::Handler {
   std::string road_error_;
   std::string type_;
   SignalId signal_;
-  std::vector<bool> junction_seen_;
+  IdVector<JunctionId, std::string> junction_missing_;  ///< the error, until the junction is described
   std::set<std::string> unknown_classes_;
   Network::Names<JunctionId> junction_ids_;
   Network::Names<SignalId> signal_ids_;

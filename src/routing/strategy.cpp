@@ -14,7 +14,7 @@ namespace thalweg {
 bool ChoiceRule::prefers(const Traveller& traveller, Millis old_cost, Millis new_cost) const {
   if (new_cost >= old_cost) return false;
   if (old_cost >= infinity) return true;  // its way is broken: any other is better
-  const double share = relative + spread * traveller.patience;
+  const double share = (traveller.departed ? relative : 0) + spread * traveller.patience;
   const auto gain = static_cast<double>(old_cost - new_cost);
   return gain > share * static_cast<double>(old_cost) + static_cast<double>(absolute);
 }

@@ -40,12 +40,12 @@ struct Decision {
 };
 
 /// When a traveller gives up its way for a better one: the gain must exceed
-/// (relative + spread * patience) of the time left, and `absolute`. Thresholds that differ between vehicles
-/// keep everybody from turning at the same news.
+/// (relative + spread * patience) of the time left, and `absolute`; before departure, when turning costs nothing,
+/// `relative` is left out. Thresholds that differ between vehicles keep everybody from turning at the same news.
 struct ChoiceRule {
-  double relative = 0;
-  double spread = 0;
-  Millis absolute = 0;
+  double relative = 0.05;
+  double spread = 0.3;
+  Millis absolute = 3'000;
 
   [[nodiscard]] bool prefers(const Traveller& traveller, Millis old_cost, Millis new_cost) const;
 };

@@ -2,10 +2,13 @@
 #include "simulation/control.hpp"
 
 #include <algorithm>
+#include <array>
 #include <ctime>
-#include <queue>
+#include <memory>
+#include <optional>
 
 #include "core/hash.hpp"
+#include "simulation/agenda.hpp"
 
 namespace thalweg {
 namespace {
@@ -15,79 +18,6 @@ double cpu_seconds() {
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
 }
-
-/// The vehicles' own clocks: when each of ours reconsiders.
-class Agenda {
- public:
-  Agenda(const Demand& demand, const ControlOptions& options) : period_(options.period) {
-    entries_.resize(demand.vehicles.size());
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-      const DemandVehicle& vehicle = demand.vehicles[VehicleId{i}];
-      Entry& entry = entries_[VehicleId{i}];
-      entry.depart = vehicle.depart.value_or(0);
-      entry.ours = !vehicle.fixed && unit_hash(vehicle.id + "#share") < options.share;
-      entry.phase =
-          period_ > 0 ? static_cast<Millis>(unit_hash(vehicle.id) * static_cast<double>(period_)) : 0;
-    }
-  }
-
-  [[nodiscard]] bool ours(VehicleId vehicle) const { return entries_[vehicle].ours; }
-  [[nodiscard]] bool departed(VehicleId vehicle) const { return entries_[vehicle].state == State::running; }
-
-  /// Due at the step that will insert it, before that step.
-  void on_loaded(VehicleId vehicle, Millis now) {
-    entries_[vehicle].state = State::loaded;
-    schedule(vehicle, std::max(now, entries_[vehicle].depart));
-  }
-  void on_departed(VehicleId vehicle, Millis now) {
-    entries_[vehicle].state = State::running;
-    schedule(vehicle, next_turn(vehicle, now));
-  }
-  void on_arrived(VehicleId vehicle) { entries_[vehicle] = {}; }
-  void reschedule(VehicleId vehicle, Millis now) { schedule(vehicle, next_turn(vehicle, now)); }
-
-  /// Takes out who is due by `now`, in the order of their ids.
-  void take_due(Millis now, std::vector<VehicleId>& due) {
-    due.clear();
-    while (!queue_.empty() && queue_.top().first <= now) {
-      const auto [time, vehicle] = queue_.top();
-      queue_.pop();
-      if (entries_[vehicle].due != time || entries_[vehicle].state == State::away) continue;
-      entries_[vehicle].due = infinity;
-      due.push_back(vehicle);
-    }
-    std::sort(due.begin(), due.end());
-  }
-
- private:
-  enum class State : std::uint8_t { away, loaded, running };
-  struct Entry {
-    Millis depart = 0;
-    Millis phase = 0;
-    Millis due = infinity;
-    State state = State::away;
-    bool ours = false;
-  };
-
-  /// The first moment after `now` that lies in the vehicle's phase.
-  [[nodiscard]] Millis next_turn(VehicleId vehicle, Millis now) const {
-    if (period_ == 0) return now + 1;
-    const Millis since = now - entries_[vehicle].phase;
-    const Millis turns = since >= 0 ? since / period_ : -((-since + period_ - 1) / period_);
-    return entries_[vehicle].phase + (turns + 1) * period_;
-  }
-
-  void schedule(VehicleId vehicle, Millis time) {
-    if (!entries_[vehicle].ours) return;
-    entries_[vehicle].due = time;
-    queue_.emplace(time, vehicle);
-  }
-
-  using Turn = std::pair<Millis, VehicleId>;
-  Millis period_;
-  IdVector<VehicleId, Entry> entries_;
-  std::priority_queue<Turn, std::vector<Turn>, std::greater<>> queue_;
-};
 
 /// Positions in `route`, ascending, that the vehicle must keep: its stops, what is left of its `via`, its
 /// end.
@@ -105,8 +35,8 @@ std::vector<std::size_t> kept_positions(const Plan& plan, const std::vector<Road
   // behind us.
   auto end = plan.route.rend();
   auto position = plan.route.rbegin();
-  for (auto road = via.rbegin(); road != via.rend(); ++road) {
-    position = std::find(position, end, *road);
+  for (std::size_t i = via.size(); i-- > 0;) {
+    position = std::find(position, end, via[i]);
     if (position == end) break;
     kept.push_back(static_cast<std::size_t>(end - position) - 1);
   }
@@ -124,7 +54,7 @@ class Controller {
         strategy_(strategy),
         options_(options),
         result_(result),
-        agenda_(demand, options),
+        agenda_(demand, options.period, options.share),
         measured_(network, options.window, std::max(options.sample_interval, simulation.step_length())) {
     for (const DemandVehicle& vehicle : demand.vehicles) {
       auto& index = class_index_[static_cast<std::size_t>(vehicle.vehicle_class)];

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/time.hpp"
+#include "demand/demand.hpp"
 #include "traffic/measured.hpp"
 
 namespace thalweg {
@@ -56,7 +57,7 @@ class Simulation {
 struct SessionSetup {
   std::vector<std::string> arguments;  ///< SUMO's, without the program's name
   const Network* network = nullptr;
-  const std::vector<std::string>* vehicles = nullptr;  ///< names by VehicleId
+  const Demand* demand = nullptr;
 };
 
 }  // namespace thalweg

@@ -23,11 +23,9 @@ std::vector<std::string> loaded_at_start() {
 
 class SumoSession : public Simulation {
  public:
-  explicit SumoSession(const SessionSetup& setup) : network_(*setup.network) {
-    names_.reserve(setup.vehicles->size());
-    for (std::size_t i = 0; i < setup.vehicles->size(); ++i) {
-      names_.push_back((*setup.vehicles)[i]);
-      ids_.emplace((*setup.vehicles)[i], VehicleId{i});
+  explicit SumoSession(const SessionSetup& setup) : network_(*setup.network), demand_(*setup.demand) {
+    for (std::size_t i = 0; i < demand_.vehicles.size(); ++i) {
+      ids_.emplace(demand_.vehicles[VehicleId{i}].id, VehicleId{i});
     }
     std::vector<std::string> command{"sumo"};
     command.insert(command.end(), setup.arguments.begin(), setup.arguments.end());
@@ -36,7 +34,7 @@ class SumoSession : public Simulation {
     const double end = libsumo::Simulation::getEndTime();
     end_ = end < 0 ? infinity : from_seconds(end);
     now_ = from_seconds(libsumo::Simulation::getTime());
-    resolve(loaded_at_start<libsumo::Vehicle>(), events_.loaded);
+    on_loaded(loaded_at_start<libsumo::Vehicle>());
   }
   SumoSession(const SumoSession&) = delete;
   SumoSession& operator=(const SumoSession&) = delete;
@@ -59,7 +57,7 @@ class SumoSession : public Simulation {
     guarded([&] {
       libsumo::Simulation::step();
       now_ = from_seconds(libsumo::Simulation::getTime());
-      resolve(libsumo::Simulation::getLoadedIDList(), events_.loaded);
+      on_loaded(libsumo::Simulation::getLoadedIDList());
       const auto departed = libsumo::Simulation::getDepartedIDList();
       for (const auto& name : departed) {
         places_.emplace(name, running_.size());
@@ -91,7 +89,7 @@ class SumoSession : public Simulation {
     Plan plan;
     plan.can_change = false;
     try {
-      fill(names_[vehicle], plan);
+      fill(demand_.vehicles[vehicle].id, plan);
     } catch (const libsumo::TraCIException&) {
       plan.can_change = false;  // discarded in the meantime
     }
@@ -103,7 +101,7 @@ class SumoSession : public Simulation {
     edges.reserve(route.size());
     for (const RoadId road : route) edges.push_back(network_.roads[road].id);
     try {
-      libsumo::Vehicle::setRoute(names_[vehicle], edges);
+      libsumo::Vehicle::setRoute(demand_.vehicles[vehicle].id, edges);
       return true;
     } catch (const libsumo::TraCIException&) {
       return false;
@@ -126,6 +124,19 @@ class SumoSession : public Simulation {
       throw InputError(fmt::format("SUMO: {}", error.what()));
     } catch (const libsumo::FatalTraCIError& error) {
       throw InputError(fmt::format("SUMO: {}", error.what()));
+    }
+  }
+
+  /// SUMO reads `via` of trips and flows only: without this its own router would forget the way points of a
+  /// vehicle that comes with a route.
+  void on_loaded(const std::vector<std::string>& names) {
+    resolve(names, events_.loaded);
+    for (const VehicleId loaded : events_.loaded) {
+      const DemandVehicle& vehicle = demand_.vehicles[loaded];
+      if (vehicle.via.empty()) continue;
+      std::vector<std::string> roads;
+      for (const RoadId road : vehicle.via) roads.push_back(network_.roads[road].id);
+      libsumo::Vehicle::setVia(vehicle.id, roads);
     }
   }
 
@@ -189,7 +200,7 @@ class SumoSession : public Simulation {
   }
 
   const Network& network_;
-  IdVector<VehicleId, std::string> names_;
+  const Demand& demand_;
   std::unordered_map<std::string, VehicleId> ids_;
   std::vector<std::string> running_;
   std::unordered_map<std::string, std::size_t> places_;  ///< in running_

@@ -135,6 +135,7 @@ struct Session {
   xmlParserCtxtPtr context = nullptr;
   std::vector<Attribute> attributes;
   std::exception_ptr failure;
+  std::string malformed{};  ///< libxml2's first error, with its line: those after it follow from it
 
   template <class Action>
   void guarded(Action action) {
@@ -143,8 +144,14 @@ struct Session {
       action();
     } catch (...) {
       failure = std::current_exception();
-      if (context != nullptr) xmlStopParser(context);
     }
+  }
+  /// The same for what the parser calls between two elements, where it may be stopped. While it fills its
+  /// buffer it may not: xmlStopParser would free the buffer under it.
+  template <class Action>
+  void guarded_and_stopped(Action action) {
+    guarded(action);
+    if (failure && context != nullptr) xmlStopParser(context);
   }
 };
 
@@ -159,7 +166,7 @@ void on_start(void* data, const xmlChar* name, const xmlChar* /*prefix*/, const 
               int /*namespaces*/, const xmlChar** /*namespace_list*/, int attribute_count, int /*defaulted*/,
               const xmlChar** values) {
   auto& session = *static_cast<Session*>(data);
-  session.guarded([&] {
+  session.guarded_and_stopped([&] {
     session.attributes.clear();
     for (int i = 0; i < attribute_count; ++i) {  // localname, prefix, URI, value, end
       const xmlChar** a = values + static_cast<std::ptrdiff_t>(5) * i;
@@ -176,12 +183,12 @@ void on_start(void* data, const xmlChar* name, const xmlChar* /*prefix*/, const 
 
 void on_end(void* data, const xmlChar* name, const xmlChar* /*prefix*/, const xmlChar* /*uri*/) {
   auto& session = *static_cast<Session*>(data);
-  session.guarded([&] { session.handler.end(view(name)); });
+  session.guarded_and_stopped([&] { session.handler.end(view(name)); });
 }
 
 void on_document_type(void* data, const xmlChar* /*name*/, const xmlChar* /*id*/, const xmlChar* /*system*/) {
   auto& session = *static_cast<Session*>(data);
-  session.guarded([&] {
+  session.guarded_and_stopped([&] {
     throw InputError(fmt::format("{}:{}: <!DOCTYPE>: document types and entities are not accepted",
                                  session.name, xmlSAX2GetLineNumber(session.context)));
   });
@@ -193,23 +200,32 @@ void run(Session& session) {
   sax.startElementNs = on_start;
   sax.endElementNs = on_end;
   sax.internalSubset = on_document_type;
+  sax.serror = [](void* data, auto* error) {  // a const pointer from libxml2 2.12 on
+    auto& own = *static_cast<Session*>(data);
+    if (error->level < XML_ERR_ERROR || !own.malformed.empty()) return;
+    own.guarded([&] {
+      const auto words = trimmed(error->message == nullptr ? "" : error->message);
+      own.malformed = fmt::format("{}:{}: not well-formed XML: {}", own.name, error->line, words);
+    });
+  };
   const std::unique_ptr<xmlParserCtxt, decltype(&xmlFreeParserCtxt)> context(
       xmlCreateIOParserCtxt(&sax, &session, on_read, nullptr, &session, XML_CHAR_ENCODING_NONE),
       &xmlFreeParserCtxt);
   if (session.failure) std::rethrow_exception(session.failure);
   if (!context) throw InputError(fmt::format("cannot read '{}': out of memory", session.name));
   session.context = context.get();
-  xmlCtxtUseOptions(context.get(), XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
+  // NOENT: "&amp;" arrives as "&", not as "&#38;". Document types are refused, so that there are no entities
+  // but the five of XML itself.
+  xmlCtxtUseOptions(context.get(),
+                    XML_PARSE_NONET | XML_PARSE_NOENT | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
   const bool well_formed = xmlParseDocument(context.get()) == 0 && context->wellFormed != 0;
   session.context = nullptr;
   if (context->myDoc != nullptr) xmlFreeDoc(context->myDoc);
   context->myDoc = nullptr;
   if (session.failure) std::rethrow_exception(session.failure);
   if (well_formed) return;
-  const xmlError* last = xmlCtxtGetLastError(context.get());
-  if (last == nullptr) throw InputError(fmt::format("'{}' is not well-formed XML", session.name));
-  throw InputError(fmt::format("{}:{}: not well-formed XML: {}", session.name, last->line,
-                               trimmed(last->message == nullptr ? "" : last->message)));
+  throw InputError(session.malformed.empty() ? fmt::format("'{}' is not well-formed XML", session.name)
+                                             : session.malformed);
 }
 
 }  // namespace

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One run of SUMO with our router in charge: what comes out, and what is kept."""
+import statistics
+import unittest
+
+import support
+from support import (PROJECT, Run, expand, in_order, make_grid, normal_roads, on_each, random_trips, read_xml, sumolib,
+                     without_comments, write, write_routes)
+
+LIGHT = PROJECT / "scenarios" / "grid" / "light.sumocfg"
+EAGER = ("--gain.relative", 0, "--gain.spread", 0, "--gain.absolute", 0, "--period", 10)  # changes often
+
+
+class GridLight(support.RunCase):
+    """The sample city."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.network = sumolib.net.readNet(str(PROJECT / "networks" / "grid.net.xml.gz"))
+
+    def test_everybody_is_accounted_for(self):
+        run = self.run_city("-c", LIGHT)
+        self.assertEqual((run.summary["vehicles"], run.summary["finished"], len(run.trips)), (600, 600, 600))
+        commutes = [float(t.get("duration")) + float(t.get("departDelay")) for t in run.trips.values()]
+        self.assertAlmostEqual(run.summary["commute_mean"], statistics.mean(commutes), places=2)
+        self.assertGreater(run.summary["reroutes"], 0)
+        changed = sum(decision.get("changed") == "true" for decision in run.decisions())
+        self.assertEqual(run.summary["reroutes"], changed)
+
+    def test_same_seed_same_bytes(self):
+        files = ("tripinfo.xml", "vehroute.xml", "decisions.xml")
+        first, again, threads, other = (
+            [without_comments(self.run_city("-c", LIGHT, *more).folder / file) for file in files]
+            for more in ((), (), ("--threads", 2), ("--seed", 1)))
+        self.assertEqual(first, again)
+        self.assertEqual(first, threads)
+        for file, text, different in zip(files, first, other):
+            self.assertNotEqual(text, different, f"{file}: another seed should give another run")
+
+    def test_decisions(self):
+        """The log's routes are connected, end where the trip ends, and predict arrivals that make sense."""
+        run = self.run_city("-c", LIGHT)
+        roads = {road.getID(): {to.getID() for to in road.getOutgoing()} for road in self.network.getEdges()}
+        ratios = []
+        for decision in run.decisions():
+            vehicle, time = decision.get("vehicle"), float(decision.get("time"))
+            routes = [decision.get("oldRoute").split()]
+            if decision.get("changed") == "true":
+                routes.append(decision.get("newRoute").split())
+                self.assertLessEqual(float(decision.get("newCost")), float(decision.get("oldCost")))
+                self.assertNotEqual(*routes)
+            for route in routes:
+                for before, after in zip(route, route[1:]):
+                    self.assertIn(after, roads[before], f"{vehicle} at {time}: {route}")
+            self.assertEqual({route[0] for route in routes}, {routes[0][0]})
+            self.assertEqual({route[-1] for route in routes}, {routes[0][-1]})
+            arrival, predicted = float(decision.get("arrival")), float(decision.get("predictedArrival"))
+            self.assertAlmostEqual(arrival, float(run.trips[vehicle].get("arrival")), delta=1)
+            self.assertLess(time, arrival)
+            self.assertLess(time, predicted)
+            ratios.append((arrival - time) / (predicted - time))
+        self.assertGreater(len(ratios), 600)
+        self.assertTrue(0.8 < statistics.median(ratios) < 2.5, statistics.median(ratios))
+
+    def test_the_routes_driven_are_the_ones_decided(self):
+        run = self.run_city("-c", LIGHT)
+        last = {}
+        for decision in run.decisions():
+            last[decision.get("vehicle")] = decision.get("newRoute" if decision.get("changed") == "true" else "oldRoute")
+        for vehicle, route in run.routes().items():
+            decided = last[vehicle].split()
+            self.assertEqual(route[-len(decided):], decided, vehicle)
+
+    def test_share(self):
+        run = self.run_city("-c", LIGHT, "--share", 0.3)
+        touched = {decision.get("vehicle") for decision in run.decisions()}
+        self.assertTrue(0.24 < len(touched) / 600 < 0.36, len(touched))
+        given = routes_of(run.folder / "demand" / "given.rou.xml")
+        for vehicle, route in run.routes().items():
+            if vehicle not in touched:
+                self.assertEqual(route, given[vehicle], vehicle)
+        changed = {decision.get("vehicle") for decision in run.decisions() if decision.get("changed") == "true"}
+        self.assertGreater(len(changed), 10)
+
+
+def routes_of(file):
+    return {vehicle.get("id"): vehicle.find("route").get("edges").split() for vehicle in read_xml(file).iter("vehicle")}
+
+
+@expand
+class SmallGrid(support.RunCase):
+    """
+        A4 - B4 - C4 - D4 - E4      25 signalised junctions, 150 m apart
+        |    |    |    |    |
+        ..                  ..
+        |    |    |    |    |
+        A0 - B0 - C0 - D0 - E0
+    """
+
+    def setUp(self):
+        self.place = self.folder()
+        self.net = make_grid(self.place)
+
+    def trips(self, elements, name="trips.xml"):
+        return write_routes(self.place / name, elements)
+
+    def drive(self, elements, *arguments, **how):
+        return self.run_city("-n", self.net, "-r", self.trips(elements), *EAGER, *arguments, **how)
+
+    def test_waiting_vehicles_are_routed_before_insertion(self):
+        """60 vehicles want to start on one road at once: most wait, and drive what was decided last."""
+        trips = [f'<trip id="q{i}" depart="0" from="A0B0" to="D4E4"/>' for i in range(60)]
+        run = self.drive(trips, "--period", 10)
+        decisions = {}
+        for decision in run.decisions():
+            decisions.setdefault(decision.get("vehicle"), []).append(decision)
+        waited = changed = 0
+        for vehicle, routes in run.route_lists().items():
+            depart = float(run.trips[vehicle].get("depart"))
+            before = [d for d in decisions[vehicle] if float(d.get("time")) <= depart]
+            self.assertGreater(float(before[-1].get("time")), depart - 11, f"{vehicle} departs at {depart}")
+            decided = before[-1].get("newRoute" if before[-1].get("changed") == "true" else "oldRoute").split()
+            at_depart = next(roads for replaced, roads in routes if replaced is None or replaced > depart)
+            self.assertEqual(at_depart, decided, vehicle)
+            waited += len(before) > 1
+            changed += any(d.get("changed") == "true" for d in before)
+        self.assertGreater(waited, 20)
+        self.assertGreater(changed, 5)
+
+    def test_period_step(self):
+        """Everybody decides at every step, but for those about to arrive."""
+        run = self.drive(random_trips(self.net, 60, 60), "--period", "step")
+        of_one = [float(d.get("time")) for d in run.decisions() if d.get("vehicle") == "t0"]
+        duration = float(run.trips["t0"].get("duration"))
+        self.assertGreater(len(of_one), duration / 2)
+        self.assertEqual({round(b - a, 3) for a, b in zip(of_one, of_one[1:])}, {1.0})
+
+    @on_each(("0.1", "0.5"))
+    def test_step_length(self, length):
+        run = self.drive(random_trips(self.net, 60, 60), "--step-length", length, "--period", "step")
+        self.assertEqual(run.summary["finished"], 60)
+        times = sorted({round(float(d.get("time")) / float(length), 6) for d in run.decisions()})
+        self.assertEqual([time for time in times if time != int(time)], [])
+        self.assertEqual(times[:5], [0, 1, 2, 3, 4])
+        self.assertGreater(run.summary["reroutes"], 0)
+
+    def test_meso(self):
+        run = self.drive(random_trips(self.net, 200, 100), sumo=["--mesosim"])
+        self.assertEqual(run.summary["finished"], 200)
+        self.assertGreater(run.summary["reroutes"], 0)
+
+    def test_left_hand(self):
+        self.net = make_grid(self.place, "--lefthand")
+        run = self.drive(random_trips(self.net, 200, 100))
+        self.assertEqual(run.summary["finished"], 200)
+        self.assertGreater(run.summary["reroutes"], 0)
+
+    @on_each(("hybrid", "evolved", "dijkstra", "given", "static", "one-shot", "device", "device:period=10"))
+    def test_way_points(self, strategy):
+        """`via` is driven through, in its order, whoever routes."""
+        via = ("B4C4", "D1D0", "A2A3")
+        with_via = [f'<trip id="v{i}" depart="{2 * i}" from="A0B0" to="D4E4" via="{" ".join(via)}"/>'
+                    for i in range(30)]
+        run = self.drive(sorted(with_via + random_trips(self.net, 150, 60), key=departure), "--strategy", strategy)
+        for vehicle, route in run.routes().items():
+            if vehicle.startswith("v"):
+                self.assertTrue(in_order(via, route), f"{vehicle}: {route}")
+        if strategy in ("evolved", "dijkstra"):
+            of_via = {d.get("vehicle") for d in run.decisions() if d.get("changed") == "true"}
+            self.assertTrue(any(vehicle.startswith("v") for vehicle in of_via), "nobody with via was re-routed")
+
+    @on_each(("hybrid", "evolved", "device"))
+    def test_stops(self, strategy):
+        """Who has stops makes them all, in their order."""
+        stops = ("C2C3", "D1D0")
+        made_of = "".join(f'<stop lane="{road}_0" duration="5" parking="true"/>' for road in stops)
+        with_stops = [f'<trip id="s{i}" depart="{3 * i}" from="A0B0" to="D4E4">{made_of}</trip>' for i in range(20)]
+        run = self.drive(sorted(with_stops + random_trips(self.net, 150, 60), key=departure), "--strategy", strategy,
+                         sumo=["--stop-output", self.place / "stops.xml"])
+        made = {}
+        for stop in read_xml(self.place / "stops.xml"):
+            made.setdefault(stop.get("id"), []).append(stop.get("lane").rpartition("_")[0])
+        self.assertEqual(made, {f"s{i}": list(stops) for i in range(20)})
+        if strategy == "evolved":
+            changed = {d.get("vehicle") for d in run.decisions() if d.get("changed") == "true"}
+            self.assertTrue(any(vehicle.startswith("s") for vehicle in changed), "nobody with stops was re-routed")
+
+    def test_buses_are_left_alone(self):
+        bus = '<vType id="bus" vClass="bus"/>'
+        route = "A0B0 B0C0 C0D0 D0D1 D1D2 D2C2 C2C3 C3C4"
+        buses = [f'<vehicle id="b{i}" type="bus" line="7" depart="{5 * i}"><route edges="{route}"/></vehicle>'
+                 for i in range(12)]
+        run = self.drive([bus, *sorted(buses + random_trips(self.net, 200, 60), key=departure)])
+        routes = run.routes()
+        self.assertEqual([routes[f"b{i}"] for i in range(12)], [route.split()] * 12)
+        self.assertEqual({d.get("vehicle") for d in run.decisions() if d.get("vehicle").startswith("b")}, set())
+        self.assertEqual(run.summary["fixed"]["vehicles"], 12)
+        self.assertGreater(run.summary["reroutes"], 0)
+
+    def configuration(self, elements):
+        """A city whose type and whose configuration both ask for SUMO's rerouting."""
+        vehicle_type = ('<vType id="eager"><param key="has.rerouting.device" value="true"/>'
+                        '<param key="device.rerouting.period" value="5"/></vType>')
+        routes = self.trips([vehicle_type, *elements])
+        return write(self.place / "eager.sumocfg", f"""<configuration><input>
+            <net-file value="{self.net.name}"/><route-files value="{routes.name}"/></input>
+            <routing><device.rerouting.probability value="1"/><device.rerouting.period value="5"/>
+            <device.rerouting.adaptation-steps value="10"/></routing></configuration>""")
+
+    @on_each(("static", "given", "evolved"))
+    def test_sumo_does_not_reroute_beside_us(self, strategy):
+        file = self.configuration(random_trips(self.net, 300, 60, type="eager"))
+        run = self.run_city("-c", file, "--strategy", strategy, "--share", 0, folder=self.place)
+        wanted = routes_of(run.folder / "demand" / ("static.rou.xml" if strategy == "static" else "given.rou.xml"))
+        self.assertEqual(run.routes(), wanted)
+        device = self.run_city("-c", file, "--strategy", "device:period=5", folder=self.place, name="device")
+        self.assertNotEqual(device.routes(), wanted, "nobody would have changed anyway: this test shows nothing")
+
+    def test_all_kinds_of_demand(self):
+        """Flows, trips between zones, vehicles of an additional file, routes by name."""
+        additional = write(self.place / "more.add.xml", """<additional>
+            <taz id="west" edges="A0A1 A1A2"/><taz id="east" edges="E2E3 E3E4"/>
+            <vType id="van" vClass="delivery"/>
+            <route id="known" edges="B0B1 B1B2 B2B3"/>
+            <vehicle id="extra" depart="5" type="van"><route edges="A0B0 B0C0 C0D0"/></vehicle></additional>""")
+        trips = self.trips(['<flow id="f" begin="0" end="60" number="20" from="A0B0" to="D4E4" type="van"/>',
+                            '<trip id="zones" depart="1" fromTaz="west" toTaz="east"/>',
+                            '<trip id="junctions" depart="2" fromJunction="A0" toJunction="E4"/>',
+                            '<vehicle id="named" depart="3" route="known"/>'])
+        file = write(self.place / "all.sumocfg", f"""<configuration><input><net-file value="{self.net.name}"/>
+            <route-files value="{trips.name}"/><additional-files value="{additional.name}"/></input>
+            <processing><junction-taz value="true"/></processing></configuration>""")
+        run = self.run_city("-c", file, *EAGER)
+        wanted = {f"f.{i}" for i in range(20)} | {"zones", "junctions", "named", "extra"}
+        self.assertEqual(set(run.trips), wanted)
+        self.assertEqual((run.summary["vehicles"], run.summary["finished"]), (24, 24))
+        self.assertEqual({d.get("vehicle") for d in run.decisions()}, wanted)
+        routes = run.routes()
+        self.assertIn(routes["zones"][0], ("A0A1", "A1A2"))
+        self.assertIn(routes["zones"][-1], ("E2E3", "E3E4"))
+
+
+def departure(element):
+    return float(element.split('depart="')[1].split('"')[0])
+
+
+if __name__ == "__main__":
+    support.main()
