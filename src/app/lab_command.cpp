@@ -49,7 +49,7 @@ void take_file(Options& options, const std::filesystem::path& file) {
     }
     verify(spec != nullptr, fmt::format("{}: there is no parameter '{}'{}", file.string(), setting.name,
                                         did_you_mean(setting.name, names)));
-    const bool paths = spec->type == "FILE" && !setting.value.empty();
+    const bool paths = (spec->type == "FILE" || spec->name == "net-files") && !setting.value.empty();
     options.take({setting.name, paths ? resolve_files(setting.value, file.parent_path()) : setting.value});
   }
 }

@@ -101,7 +101,8 @@ void Options::parse(std::span<const std::string> arguments) {
       set(*find(option.string_key), option.value.empty() ? "true" : option.value.front(), true);
     }
   } catch (const po::unknown_option& error) {
-    const auto name = trimmed(error.get_option_name());
+    const std::string given = error.get_option_name();  // made anew at each call
+    const auto name = trimmed(given);
     const auto bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
     throw InputError(fmt::format("there is no option '{}'{}; 'thalweg {} --help' lists them", name,
                                  did_you_mean(bare, names), command_));

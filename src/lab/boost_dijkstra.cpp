@@ -27,8 +27,8 @@ BoostDijkstra::BoostDijkstra(const Digraph& graph, std::span<const std::int32_t>
       graph_->costs.push_back(costs[arc.id.value]);
     }
   }
-  graph_->rows = Graph::Rows(boost::edges_are_sorted, ends.begin(), ends.end(),
-                             static_cast<std::uint32_t>(count));
+  graph_->rows =
+      Graph::Rows(boost::edges_are_sorted, ends.begin(), ends.end(), static_cast<std::uint32_t>(count));
   graph_->labels.resize(count);
   graph_->parents.resize(count);
 }

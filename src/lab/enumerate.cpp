@@ -60,14 +60,15 @@ class OneGrid {
     const double paths_ms = watch.lap_ms();
     const auto loops = paths ? count_simple_path_loops(grid_, origin, corner_, max_states) : std::nullopt;
     if (paths) {
-      add("BOTS", "counted", digits(*paths), loops ? digits(*loops) : "", paths_ms);
+      add("BOTS", "counted", paths->str(), loops ? loops->str() : "", paths_ms);
     } else {
-      report_.notes.push_back(fmt::format(
-          "side {}: BOTS not counted, that would take more than {} states (--max-states)", side_, max_states));
+      report_.notes.push_back(
+          fmt::format("side {}: BOTS not counted, that would take more than {} states (--max-states)", side_,
+                      max_states));
     }
     watch.lap_ms();
     const BigCount fewest = count_region_paths(grid_, regions_, corner_);
-    add("EBOGP", "counted", digits(fewest), "", watch.lap_ms());
+    add("EBOGP", "counted", fewest.str(), "", watch.lap_ms());
   }
 
  private:

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/nearest.hpp"
@@ -121,8 +122,8 @@ const Experiment& find_experiment(std::string_view name) {
     if (experiment.name == name) return experiment;
     names.push_back(experiment.name);
   }
-  throw InputError(
-      fmt::format("there is no experiment '{}'{}; 'thalweg lab' lists them", name, did_you_mean(name, names)));
+  throw InputError(fmt::format("there is no experiment '{}'{}; 'thalweg lab' lists them", name,
+                               did_you_mean(name, names)));
 }
 
 std::string cell(double value, int digits) {
@@ -148,8 +149,8 @@ void verify_grid(std::uint64_t side, double bytes_per_vertex) {
   const auto vertices = static_cast<double>(side) * static_cast<double>(side);
   verify_memory(fmt::format("a grid of side {}", side), vertices * bytes_per_vertex);
   constexpr std::uint64_t largest = 32'768;  // of which 4 arcs a vertex still have 32-bit ids
-  verify(side <= largest, fmt::format("a grid of side {}: vertices and arcs are numbered up to side {}",
-                                      side, largest));
+  verify(side <= largest,
+         fmt::format("a grid of side {}: vertices and arcs are numbered up to side {}", side, largest));
 }
 
 StopWatch::StopWatch() : start_(now_ns()) {}

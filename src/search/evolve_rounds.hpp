@@ -24,7 +24,7 @@ enum class RoundUpdate : std::uint8_t {
 struct RoundOptions {
   RoundUpdate update = RoundUpdate::in_place;
   Criterion criterion = Criterion::minimum;
-  EvolutionLimit limit{};            ///< max_rounds 0: the number of vertices
+  EvolutionLimit limit{};             ///< max_rounds 0: the number of vertices
   std::span<const VertexId> order{};  ///< in which a round visits the vertices; empty: by number
 };
 
@@ -52,8 +52,8 @@ template <Direction direction, ArcCost C>
 RoundEvolution evolve_in_rounds(const Digraph& graph, const C& cost, Tree& tree,
                                 const RoundOptions& options = {}) {
   const auto vertices = graph.vertex_count();
-  const std::uint32_t max_rounds = options.limit.max_rounds != 0 ? options.limit.max_rounds
-                                                                 : static_cast<std::uint32_t>(vertices);
+  const std::uint32_t max_rounds =
+      options.limit.max_rounds != 0 ? options.limit.max_rounds : static_cast<std::uint32_t>(vertices);
   IdVector<VertexId, bool> root(vertices, false);
   for (std::size_t i = 0; i < vertices; ++i) {
     const VertexId v{i};
@@ -74,8 +74,8 @@ RoundEvolution evolve_in_rounds(const Digraph& graph, const C& cost, Tree& tree,
         assert(cost(arc.id) >= 0);
         const Millis candidate = add_saturating(seen[arc.end], cost(arc.id));
         if (candidate >= infinity) continue;
-        const bool better = options.criterion == Criterion::minimum ? candidate < best
-                                                                    : best >= infinity || candidate > best;
+        const bool better =
+            options.criterion == Criterion::minimum ? candidate < best : best >= infinity || candidate > best;
         if (!better) continue;
         best = candidate;
         parent = arc.id;

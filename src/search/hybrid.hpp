@@ -24,7 +24,7 @@ void walk_regions(const Digraph& graph, const Regions& regions, const C& cost, T
     const std::uint32_t fore = regions.number[u] - 1;
     Millis best = minimum ? infinity : -1;
     ArcId parent;
-    for (const Arc& arc : graph.reaching<direction>(u)) {  // ascending: of equals the lowest id stays
+    for (const Arc& arc : graph.reaching<direction>(u)) {          // ascending: of equals the lowest id stays
       const Millis candidate = out.label[arc.end] + cost(arc.id);  // two infinities do not overflow
       const bool better = minimum ? candidate < best : (candidate < infinity) & (candidate > best);
       const bool taken = (regions.number[arc.end] == fore) & better;

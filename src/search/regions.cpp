@@ -71,8 +71,7 @@ bool partition_first_form(const Digraph& graph, std::span<const VertexId> source
   std::uint64_t comparisons = 0;
   const auto contains = [&comparisons](std::span<const VertexId> vertices, VertexId v) {
     const auto found = std::find(vertices.begin(), vertices.end(), v);
-    comparisons +=
-        static_cast<std::uint64_t>(found - vertices.begin()) + (found == vertices.end() ? 0U : 1U);
+    comparisons += static_cast<std::uint64_t>(found - vertices.begin()) + (found == vertices.end() ? 0U : 1U);
     return found != vertices.end();
   };
   bool ended = true;

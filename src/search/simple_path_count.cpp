@@ -195,8 +195,7 @@ std::optional<BigCount> count_simple_path_loops(const Digraph& graph, VertexId s
   }
   // The target, now without arcs, serves as the vertex where every path may end.
   for (std::size_t v = 0; v < graph.vertex_count(); ++v) {
-    if (VertexId{v} != source && VertexId{v} != target)
-      arcs.push_back({.tail = VertexId{v}, .head = target});
+    if (VertexId{v} != source && VertexId{v} != target) arcs.push_back({.tail = VertexId{v}, .head = target});
   }
   return count_simple_paths(Digraph(graph.vertex_count(), arcs), source, target, max_states);
 }

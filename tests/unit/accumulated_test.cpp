@@ -44,10 +44,10 @@ TEST(IndexedWeight, TableStepAndLinear) {
 struct Trap {
   testing::Instance instance = make_instance(5, {{0, 1}, {0, 2}, {1, 3}, {2, 3}, {3, 4}});
   WeightTable weight{.row_length = 4,
-                     .weights = {0, 0, 0, 0,   // into 0
-                                 9, 2, 9, 9,   // into 1, index 1
-                                 9, 9, 1, 9,   // into 2, index 2
-                                 9, 5, 5, 9,   // into 3
+                     .weights = {0, 0, 0, 0,    // into 0
+                                 9, 2, 9, 9,    // into 1, index 1
+                                 9, 9, 1, 9,    // into 2, index 2
+                                 9, 5, 5, 9,    // into 3
                                  9, 1, 8, 9}};  // into 4: cheap with index 1, dear with index 2
   static std::int64_t index(ArcId arc) { return arc == ArcId{0U} ? 1 : arc == ArcId{1U} ? 2 : 0; }
 };

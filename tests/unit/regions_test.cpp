@@ -170,12 +170,14 @@ TEST(Partition, TakesAtMostFourTableOperationsAnArc) {
   EXPECT_GT(most, 50U);
 }
 
-//   0 <-> 1 <-> 2      2 is compared with regions {1} and {0}; the rest is looked for in vain or found at once
+//   0 <-> 1 <-> 2      2 is compared with regions {1} and {0}; the rest is looked for in vain or found at
+//   once
 TEST(FirstForm, CountsItsComparisons) {
   const auto instance = make_instance(3, {{0, 1}, {1, 0}, {1, 2}, {2, 1}});
   Regions regions;
   PartitionOperations operations;
-  EXPECT_TRUE(partition_first_form<Direction::forward>(instance.graph, vertices({0}), regions, 0, &operations));
+  EXPECT_TRUE(
+      partition_first_form<Direction::forward>(instance.graph, vertices({0}), regions, 0, &operations));
   // 1 against {0}; 0 against {1}, {0}; 2 against {1}, {0}; 1 against {2}, {1}
   EXPECT_EQ(operations.comparisons, 1U + 2U + 2U + 2U);
   EXPECT_EQ(operations.table, 0U);
