@@ -64,8 +64,10 @@ class Router {
     }
     turn_costs(*graph_, traffic.road_times, traffic.turn_costs);
     traffic_.push_back(std::move(traffic));
-    strategy_ = make_strategy(options.text("strategy"), {.rule = {.relative = 0, .spread = 0, .absolute = 0},
-                                                         .threads = options.count("threads")});
+    const auto threads = options.count("threads");
+    verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
+    strategy_ = make_strategy(options.text("strategy"),
+                              {.rule = {.relative = 0, .spread = 0, .absolute = 0}, .threads = threads});
   }
 
   /// Adds a trip; what is wrong with it is returned, and nothing when it is well.
