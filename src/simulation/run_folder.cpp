@@ -16,8 +16,9 @@ namespace fs = std::filesystem;
 
 /// What a run decides itself or has no use for.
 bool is_replaced(const std::string& name) {
-  static constexpr std::array<std::string_view, 14> names{
-      "output-suffix", "output.format","configuration-file",
+  static constexpr std::array<std::string_view, 14> names{"output-suffix",
+                                                          "output.format",
+                                                          "configuration-file",
                                                           "save-configuration",
                                                           "save-template",
                                                           "save-schema",
