@@ -57,6 +57,7 @@ int run(const std::vector<std::string>& arguments) {
   if (first.starts_with("--save-template"))
     return thalweg::run_command(arguments);  // sumolib.options.pullOptions
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const Command& command : commands) names.emplace_back(command.name);
   throw InputError(fmt::format("there is no command '{}'{}; 'thalweg --help' lists them", first,
                                thalweg::did_you_mean(first, names)));

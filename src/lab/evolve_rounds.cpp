@@ -36,7 +36,7 @@ using Rounds = std::array<double, sweeps.size()>;
 
 /// The rounds of every sweep from `source`; `cut` keeps the dissection rank of a graph for all its sources.
 Rounds rounds_of(const Digraph& graph, const std::vector<Millis>& costs, VertexId source,
-                 std::vector<VertexId> cut, Dice& dice) {
+                 const std::vector<VertexId>& cut, Dice& dice) {
   const auto cost = [&costs](ArcId arc) { return costs[arc.value]; };
   Regions regions;
   Tree start;
@@ -64,6 +64,7 @@ void add_rows(const Run& run, std::string_view family, std::size_t vertices, con
               Report& report) {
   for (std::size_t i = 0; i < sweeps.size(); ++i) {
     std::vector<double> rounds;
+    rounds.reserve(all.size());
     for (const Rounds& r : all) rounds.push_back(r[i]);
     std::vector<std::string> row{std::string(family), cell(std::uint64_t{vertices}), sweeps[i].name};
     add_estimate(row, estimate(rounds), 2);

@@ -77,6 +77,7 @@ Report run(const Run& run) {
             percent(static_cast<std::size_t>(std::count_if(all.begin(), all.end(), holds)), all.size()), 1);
       };
       std::vector<double> excess;
+      excess.reserve(all.size());
       for (const Outcome& o : all)
         excess.push_back(100 * (static_cast<double>(o.greedy) / static_cast<double>(o.hybrid) - 1));
       std::vector<std::string> row{std::string(name),

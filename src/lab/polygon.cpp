@@ -50,7 +50,7 @@ Report run(const Run& run) {
   const std::size_t numbers = run.parameters.count("numbers", 3);
   const std::size_t sides = run.parameters.count("sides", 3);
   verify(sides <= numbers, fmt::format("--sides {}: there are only {} numbers to deal", sides, numbers));
-  verify_memory("the table of trials", 2.0 * static_cast<double>(run.repetitions * (sides / 2)));
+  verify_memory("the table of trials", static_cast<double>(run.repetitions) * static_cast<double>(sides));
   const Trials dealt = deal(run, numbers, sides, false);
   const Trials drawn = deal(run, numbers, sides, true);
   const std::size_t longest = (sides - 1) / 2;

@@ -152,7 +152,7 @@ Seconds replay(const Digraph& graph, const TimedCosts& costs, const TimedTree& t
     path.push_back(tree.parent[v]);
   }
   Seconds time = from.time;
-  for (auto arc = path.rbegin(); arc != path.rend(); ++arc) time = add_saturating(time, costs(*arc, time));
+  for (std::size_t i = path.size(); i-- > 0;) time = add_saturating(time, costs(path[i], time));
   return time;
 }
 

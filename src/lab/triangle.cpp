@@ -15,7 +15,8 @@ double anti_triples(std::uint64_t n) {
   for (std::uint64_t y = 3; y <= n; ++y) {
     const std::uint64_t most = y - 2;
     // x1 + x2 <= y - 1 with x1 < x2: floor(most / 2) * ceil(most / 2)
-    count += static_cast<double>((most / 2) * ((most + 1) / 2));
+    const std::uint64_t half = most / 2;
+    count += static_cast<double>(half) * static_cast<double>(most - half);
   }
   return count;
 }

@@ -44,7 +44,7 @@ fs::path readable_output(Settings& run, OutputPlaces& places, std::string_view o
 
 /// The mean speeds of every road, from which maps are drawn.
 fs::path write_edge_data(const fs::path& folder) {
-  const fs::path file = folder / "thalweg.add.xml";
+  fs::path file = folder / "thalweg.add.xml";
   xml::Writer writer(file, "written by thalweg");
   writer.open("additional");
   writer.open("edgeData")
