@@ -75,7 +75,7 @@ TEST(DistinctWeights, EqualTheEnumerationOnRandomGrids) {
     const VertexId target{24U};
     std::vector<std::int64_t> indices(grid.arc_count());
     for (auto& index : indices) index = static_cast<std::int64_t>(1 + dice.roll(5));
-    WeightTable weight{.row_length = 41, .weights = std::vector<std::int64_t>(25 * 41)};
+    WeightTable weight{.row_length = 41, .weights = std::vector<std::int64_t>(std::size_t{25} * 41)};
     for (auto& entry : weight.weights) entry = static_cast<std::int64_t>(1 + dice.roll(10));
     const auto index = [&](ArcId arc) { return indices[arc.value]; };
     Weights all;

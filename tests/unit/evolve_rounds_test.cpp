@@ -16,7 +16,6 @@ namespace {
 
 using testing::Instance;
 using testing::make_instance;
-using testing::vertices;
 using Labels = IdVector<VertexId, Millis>;
 using Changes = std::vector<std::uint64_t>;
 

@@ -16,7 +16,6 @@ namespace {
 
 using testing::arcs;
 using testing::make_instance;
-using testing::vertices;
 using Paths = std::vector<std::vector<ArcId>>;
 
 static_assert(std::ranges::input_range<RegionPaths>);
