@@ -8,6 +8,7 @@ std::span<const Experiment> experiments() {
       runtime_experiment(), enumerate_experiment(),     polygon_experiment(),      triangle_experiment(),
       greedy_experiment(),  dynamic_experiment(),       density_experiment(),      regular_experiment(),
       evolve_experiment(),  evolve_rounds_experiment(), city_regions_experiment(), city_dynamic_experiment(),
+      crew_experiment(),
   };
   return list;
 }

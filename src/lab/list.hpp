@@ -19,5 +19,6 @@ Experiment evolve_experiment();
 Experiment evolve_rounds_experiment();
 Experiment city_regions_experiment();
 Experiment city_dynamic_experiment();
+Experiment crew_experiment();
 
 }  // namespace thalweg::lab
