@@ -48,6 +48,7 @@ TEST(Crew, NobodyIsLostWithTheTable) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     Dice dice(seed);
     std::vector<Errand> errands;
+    errands.reserve(20);
     for (int i = 0; i < 20; ++i) errands.push_back({VertexId{dice.roll(36)}, VertexId{dice.roll(36)}});
     EXPECT_EQ(crew_with_table(grid, errands, 200).arrived(), 20U) << "seed " << seed;
     jammed += crew_without_table(grid, errands, 200).arrived() < 20 ? 1U : 0U;
