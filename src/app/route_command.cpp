@@ -67,6 +67,10 @@ class Router {
     traffic_.push_back(std::move(traffic));
     const auto threads = options.count("threads");
     verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
+    for (const auto& entry : strategies()) {
+      verify(entry.name != options.text("strategy") || !entry.needs_simulation,
+             fmt::format("--strategy {}: it watches a simulation and is for 'thalweg run'", entry.name));
+    }
     strategy_ = make_strategy(options.text("strategy"),
                               {.rule = {.relative = 0, .spread = 0, .absolute = 0}, .threads = threads});
   }
