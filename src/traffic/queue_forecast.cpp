@@ -238,9 +238,9 @@ void QueueForecast::tabulate_lane(LaneId lane, std::span<float> waits) const {
   for (std::size_t b = 0; b < waits.size(); ++b) {
     const double time = (static_cast<double>(b) + 0.5) * bin;
     for (; next < passed.size() && passed[next].arrived <= time; ++next) {
-      const double left = passed[next].left;
+      const float left = passed[next].left;
       // Who is still there at the horizon leaves after the one before, and not before the horizon.
-      last_left = left < still_there ? left : std::max(last_left + headway, horizon_);
+      last_left = left < still_there ? static_cast<double>(left) : std::max(last_left + headway, horizon_);
     }
     double leave = time + means.delay;
     if (next > 0) leave = std::max(leave, last_left + headway);
