@@ -23,7 +23,7 @@ TEST_F(DischargeTest, AStandingQueueShowsTheCapacity) {
     Discharge discharge(net, servers, driven.demand);
     std::size_t left = 0;
     for (std::size_t i = 0; i < 200; ++i) driven.load(i, "ABC");
-    for (int second = 0; second <= 120; ++second) {
+    for (Millis second = 0; second <= 120; ++second) {
       if (second > 0 && second % gap == 0) ++left;
       std::vector<Driven::At> places;
       if (left > 0) places.push_back({.vehicle = left - 1, .road = "BC", .metres = 1, .speed = 9});
@@ -40,7 +40,7 @@ TEST_F(DischargeTest, AStandingQueueShowsTheCapacity) {
 TEST_F(DischargeTest, AnEmptyRoadTeachesNothing) {
   Driven driven(net, 1);
   Discharge discharge(net, servers, driven.demand);
-  for (int second = 0; second <= 600; ++second) discharge.observe(driven.fleet, second * 1000);
+  for (Millis second = 0; second <= 600; ++second) discharge.observe(driven.fleet, second * 1000);
   EXPECT_EQ(discharge.factor(lane()), 1);
   EXPECT_EQ(discharge.insertion_headway(road(net, "AB")), 2);
 }
@@ -50,7 +50,7 @@ TEST_F(DischargeTest, InsertionIsLearnedWhileSomebodyWaits) {
   Driven driven(net, 40);
   Discharge discharge(net, servers, driven.demand);
   for (std::size_t i = 0; i < 40; ++i) driven.load(i, "ABC");
-  for (int second = 0; second <= 120; ++second) {
+  for (Millis second = 0; second <= 120; ++second) {
     std::vector<Driven::At> places;
     for (std::size_t i = 0; i < static_cast<std::size_t>(second / 20); ++i)
       places.push_back({.vehicle = i, .road = "AB", .metres = 50, .speed = 9});

@@ -77,7 +77,7 @@ TEST_F(Queues, AFullRoadHoldsThoseBehindIt) {
   std::vector<Driven::At> jam{{.vehicle = 0, .road = "BC", .metres = 14},
                               {.vehicle = 1, .road = "BC", .metres = 7}};
   for (std::size_t i = 2; i < 10; ++i) jam.push_back({.vehicle = i, .road = "AB", .metres = 290});
-  for (int look = 0; look <= 1200; ++look) {  // twenty minutes in which nobody moves
+  for (Millis look = 0; look <= 1200; ++look) {  // twenty minutes in which nobody moves
     driven.look(jam);
     discharge.observe(driven.fleet, look * 1000);
   }
