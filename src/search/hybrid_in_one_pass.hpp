@@ -50,17 +50,16 @@ void partition_and_hybrid(const Digraph& graph, std::span<const VertexId> source
       const Millis label = marks[u].label;
       for (const Arc& arc : graph.leaving<direction>(u)) {
         auto& mark = marks[arc.end];
-        if (mark.number == 0) {
-          mark.number = next;
-          order[size++] = arc.end;
-        } else if (mark.number != next) {
-          continue;
-        }
+        if (mark.number != 0 && mark.number != next) continue;
         const Millis candidate = label + cost(arc.id);  // two infinities do not overflow
-        if (candidate > mark.label || candidate >= infinity) continue;
-        if (candidate == mark.label && mark.parent < arc.id) continue;  // of equals the lowest arc
-        mark.label = candidate;
-        mark.parent = arc.id;
+        const bool open = candidate < infinity;
+        if (mark.number == 0) {
+          mark = {.label = open ? candidate : infinity, .parent = open ? arc.id : ArcId{}, .number = next};
+          order[size++] = arc.end;
+        } else if (candidate < mark.label || (candidate == mark.label && open && arc.id < mark.parent)) {
+          mark.label = candidate;  // of equals the lowest arc
+          mark.parent = arc.id;
+        }
       }
     }
   }
