@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <limits>
+#include <vector>
+
+#include "cch/topology.hpp"
+#include "core/time.hpp"
+
+namespace thalweg {
+
+/// What costs are counted in within the hierarchy: 32 bits where no path can overflow them (twice as fast), else 64.
+template <class W>
+concept CchWeight = std::same_as<W, std::uint32_t> || std::same_as<W, std::uint64_t>;
+
+/// No way. The sum of two of these does not wrap; whatever is above counts as it.
+template <CchWeight W>
+inline constexpr W cch_infinity = std::numeric_limits<W>::max() / 2;
+
+/// The costs of every edge of the completion, customised from turn costs: after that the costs upward and downward
+/// are shortest among all ways over lower ranks. Replaced as a whole each round; storage is kept.
+template <CchWeight W>
+class CchMetric {
+ public:
+  /// `costs` by ArcId in ms; infinity or more: closed.
+  void customise(const CchTopology& topology, const std::vector<Millis>& costs);
+
+  std::vector<W> up;    ///< by edge: from its lower end to its higher
+  std::vector<W> down;  ///< by edge: from its higher end to its lower
+
+ private:
+  std::vector<CchTopology::EdgeIndex> edge_to_;  ///< scratch: the edge from the vertex at hand to a rank
+};
+
+/// No simple path costs as much as 32 bits hold: it leaves each vertex at most once.
+bool fits_32_bits(const Digraph& graph, const std::vector<Millis>& costs);
+
+extern template class CchMetric<std::uint32_t>;
+extern template class CchMetric<std::uint64_t>;
+
+}  // namespace thalweg

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "graph/digraph.hpp"
+
+namespace thalweg {
+
+/// An order of elimination: order[rank] is the vertex of that rank; low ranks are eliminated first.
+using EliminationOrder = std::vector<VertexId>;
+
+/// By nested dissection of the graph without directions (METIS, Karypis and Kumar 1998): small separators come
+/// last, so that eliminating the vertices adds few edges. Deterministic.
+EliminationOrder nested_dissection(const Digraph& graph);
+
+}  // namespace thalweg
