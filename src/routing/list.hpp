@@ -10,6 +10,7 @@ namespace thalweg {
 // A new strategy: one file with its make function, a line here, an entry in strategy.cpp.
 std::unique_ptr<Strategy> make_hybrid(const StrategyOptions& options);
 std::unique_ptr<Strategy> make_evolved(const StrategyOptions& options);
+std::unique_ptr<Strategy> make_cch(const StrategyOptions& options);
 std::unique_ptr<Strategy> make_dijkstra(const StrategyOptions& options);
 
 }  // namespace thalweg
