@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <boost/process.hpp>
 #include <mutex>
@@ -47,6 +48,13 @@ std::vector<std::uint64_t> seeds_of(const Options& options) {
   return seeds;
 }
 
+/// Two runs in one folder would overwrite each other.
+template <class T>
+bool has_twins(std::vector<T> values) {
+  std::sort(values.begin(), values.end());
+  return std::adjacent_find(values.begin(), values.end()) != values.end();
+}
+
 /// The call of `thalweg run` for one arm and seed: what the command line says, and where the prepared demand
 /// is.
 std::vector<std::string> child_arguments(const Options& options, const Project& project,
@@ -77,11 +85,16 @@ RunSummary run_job(const Job& job, const std::string& arm) {
   register_child(child.id());
   child.wait();
   forget_child(child.id());
-  if (fs::exists(result, ignored)) return read_run(result);
-  const int status = child.native_exit_code();
-  const int exit = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : child.exit_code();
   const std::string words = read_text(log);
   const auto last = trimmed(std::string_view(words).substr(words.size() > 600 ? words.size() - 600 : 0));
+  if (fs::exists(result, ignored)) {
+    RunSummary summary = read_run(result);
+    // SUMO prints what it does not like of its options before it opens its error log: only the log has it.
+    if (summary.failed() && !last.empty()) summary.error = last;
+    return summary;
+  }
+  const int status = child.native_exit_code();
+  const int exit = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : child.exit_code();
   RunSummary failed;
   failed.arm = arm;
   failed.seed = job.seed;
@@ -141,17 +154,23 @@ int compare_command(std::span<const std::string> arguments) {
   options.parse(arguments);
   if (options.answered()) return 0;
   catch_interrupts();
-  const Project project = load_project(options);
-  const auto jobs_at_a_time = options.count("jobs");
-  verify(jobs_at_a_time >= 1 && jobs_at_a_time <= 64, "--jobs must be from 1 to 64");
-  Comparison comparison{.thalweg = THALWEG_VERSION,
-                        .sumo = sumo_library_version(),
-                        .configuration = options.text("configuration-file"),
-                        .command = command_line(arguments),
-                        .seeds = seeds_of(options)};
-  const auto names = split_arms(options.text("arms"));
-  verify(!names.empty(), "--arms names no arm");
-  for (const auto& name : names) comparison.arms.push_back({.name = parse_arm(name, project.catalogue).name});
+  Comparison comparison;
+  std::uint64_t jobs_at_a_time = 1;
+  std::vector<std::string> names;
+  const Project project = load_project(options, [&](const SumoOptions& catalogue) {
+    jobs_at_a_time = options.count("jobs");
+    verify(jobs_at_a_time >= 1 && jobs_at_a_time <= 64, "--jobs must be from 1 to 64");
+    comparison.seeds = seeds_of(options);
+    verify(!has_twins(comparison.seeds), "--seeds names a seed twice");
+    names = split_arms(options.text("arms"));
+    verify(!names.empty(), "--arms names no arm");
+    verify(!has_twins(names), "--arms names an arm twice");
+    for (const auto& name : names) comparison.arms.push_back({.name = parse_arm(name, catalogue).name});
+  });
+  comparison.thalweg = THALWEG_VERSION;
+  comparison.sumo = sumo_library_version();
+  comparison.configuration = options.text("configuration-file");
+  comparison.command = command_line(arguments);
 
   std::vector<Job> jobs;  // seed by seed, so that an early end leaves whole seeds
   for (const std::uint64_t seed : comparison.seeds) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <boost/program_options.hpp>
+#include <cctype>
 #include <cstdio>
 
 #include "core/error.hpp"
@@ -17,11 +18,17 @@ namespace {
 
 namespace po = boost::program_options;
 
-bool is_boolean(std::string_view text) {
-  for (const char* word : {"true", "false", "1", "0", "yes", "no", "on", "off"}) {
-    if (text == word) return true;
+/// As SUMO reads them, upper and lower case alike.
+std::optional<bool> parse_boolean(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char* word : {"true", "1", "yes", "on", "x", "t"}) {
+    if (lower == word) return true;
   }
-  return false;
+  for (const char* word : {"false", "0", "no", "off", "f"}) {
+    if (lower == word) return false;
+  }
+  return std::nullopt;
 }
 
 std::string escaped(std::string_view text) {
@@ -70,7 +77,7 @@ void Options::parse(std::span<const std::string> arguments) {
   std::vector<std::string> own;
   for (auto argument = arguments.begin(); argument != end; ++argument) {
     // "--verbose false" is SUMO's way; Boost takes an optional value only after '='.
-    const bool after_flag = !own.empty() && own.back().starts_with("-") && is_boolean(*argument);
+    const bool after_flag = !own.empty() && own.back().starts_with("-") && parse_boolean(*argument);
     const OptionSpec* flag =
         after_flag ? find(std::string_view(own.back()).substr(own.back().starts_with("--") ? 2 : 1))
                    : nullptr;
@@ -94,22 +101,21 @@ void Options::parse(std::span<const std::string> arguments) {
     const auto parsed =
         po::command_line_parser(own)
             .options(description)
-            .positional({})
             .style(po::command_line_style::unix_style & ~po::command_line_style::allow_guessing)
             .run();
     for (const auto& option : parsed.options) {
+      if (option.position_key >= 0) {
+        throw InputError(fmt::format("'{}' belongs to no option; 'thalweg {} --help' lists them",
+                                     option.value.front(), command_));
+      }
       set(*find(option.string_key), option.value.empty() ? "true" : option.value.front(), true);
     }
   } catch (const po::unknown_option& error) {
-    const auto name = trimmed(error.get_option_name());
-    const auto bare = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+    const std::string given = error.get_option_name();
+    const std::string name = given.substr(0, given.find('='));
+    const auto bare = std::string_view(name).substr(std::min(name.find_first_not_of('-'), name.size()));
     throw InputError(fmt::format("there is no option '{}'{}; 'thalweg {} --help' lists them", name,
                                  did_you_mean(bare, names), command_));
-  } catch (const po::too_many_positional_options_error&) {
-    const auto stray =
-        std::find_if(own.begin(), own.end(), [](const auto& a) { return !a.starts_with("-"); });
-    throw InputError(fmt::format("'{}' belongs to no option; 'thalweg {} --help' lists them",
-                                 stray == own.end() ? "an argument" : *stray, command_));
   } catch (const po::error& error) {
     throw InputError(error.what());
   }
@@ -133,7 +139,7 @@ void Options::set(const OptionSpec& spec, std::string value, bool from_command_l
   const auto fail = [&](std::string_view what) {
     throw InputError(fmt::format("--{} {}: this is no {}", spec.name, value, what));
   };
-  if (spec.type == "BOOL" && !is_boolean(value)) fail("boolean (true or false)");
+  if (spec.type == "BOOL" && !parse_boolean(value)) fail("boolean (true or false)");
   if (spec.type == "INT" && !parse_integer<std::int64_t>(value)) fail("whole number");
   if (spec.type == "FLOAT" && !parse_number(value)) fail("number");
   if (spec.type == "TIME" && !parse_time(value)) fail("time (seconds or [d:]h:m:s)");
@@ -151,10 +157,7 @@ bool Options::on_command_line(std::string_view name) const {
 
 const std::string& Options::text(std::string_view name) const { return values_.find(name)->second.text; }
 
-bool Options::flag(std::string_view name) const {
-  const auto& value = text(name);
-  return value == "true" || value == "1" || value == "yes" || value == "on";
-}
+bool Options::flag(std::string_view name) const { return parse_boolean(text(name)).value_or(false); }
 
 double Options::number(std::string_view name) const { return *parse_number(text(name)); }
 

@@ -125,7 +125,7 @@ std::vector<OptionSpec> project_options() {
   };
 }
 
-Project load_project(Options& options) {
+Project load_project(Options& options, const std::function<void(const SumoOptions&)>& check) {
   Project project;
   project.sumo = find_sumo();
   require_tool(project.sumo.sumo, "sumo");
@@ -138,6 +138,7 @@ Project load_project(Options& options) {
   project.catalogue = SumoOptions::ask(project.sumo.sumo, project.output);
   if (!configuration.empty()) read_user_configuration(options, project);
   apply_command_line(options, project);
+  check(project.catalogue);
   check_files(project.settings);
 
   const bool verbose = options.flag("verbose");

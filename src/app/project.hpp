@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "app/options.hpp"
@@ -26,6 +27,7 @@ struct Project {
 std::vector<OptionSpec> project_options();
 
 /// Reads the configuration and the net, and prepares the demand (or reads the one named by --prepared).
-Project load_project(Options& options);
+/// `check` looks at the command's own options once the configuration is read, before the work begins.
+Project load_project(Options& options, const std::function<void(const SumoOptions&)>& check);
 
 }  // namespace thalweg

@@ -126,8 +126,13 @@ int run_command(std::span<const std::string> arguments) {
   options.parse(arguments);
   if (options.answered()) return 0;
   catch_interrupts();
-  const Project project = load_project(options);
-  const ArmSpec arm = parse_arm(options.text("strategy"), project.catalogue);
+  ArmSpec arm;
+  const Project project = load_project(options, [&](const SumoOptions& catalogue) {
+    arm = parse_arm(options.text("strategy"), catalogue);
+    static_cast<void>(control_options(options));
+    static_cast<void>(strategy_options(options));
+    static_cast<void>(options.count("seed"));
+  });
   const RunFolder folder = make_run_folder(project.output, project.settings, project.catalogue,
                                            project.demand_files, arm, options.count("seed"));
   RunSummary summary;

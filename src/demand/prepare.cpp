@@ -73,11 +73,11 @@ class Duarouter {
   std::vector<std::string> common_;
 };
 
-/// The first message that names a vehicle, by its id: "Warning: ... vehicle 'x' ...".
+/// The first message that names a vehicle, by its id: "Warning: ... vehicle 'x' ..." or "Vehicle 'x' ...".
 std::unordered_map<std::string, std::string> reasons_of(const std::string& log) {
   std::unordered_map<std::string, std::string> reasons;
   for (const auto line : split(log, "\n\r")) {
-    constexpr std::string_view mark = "vehicle '";
+    constexpr std::string_view mark = "ehicle '";
     const auto at = line.find(mark);
     if (at == std::string_view::npos) continue;
     const auto id = line.substr(at + mark.size());

@@ -88,6 +88,7 @@ class CchStrategy : public Strategy {
 
  private:
   struct Hierarchy {
+    const RoadGraph* graph = nullptr;
     std::unique_ptr<CchTopology> topology;
     bool is_narrow = true;
     CchMetric<std::uint32_t> narrow;
@@ -114,8 +115,9 @@ class CchStrategy : public Strategy {
 
   static void refresh(const ClassTraffic& seen, Hierarchy& own) {
     const Digraph& turns = seen.graph->turns();
-    if (!own.topology) own.topology = std::make_unique<CchTopology>(turns, nested_dissection(turns));
-    if (own.revision == seen.revision) return;
+    if (own.graph == seen.graph && own.revision == seen.revision) return;
+    if (own.graph != seen.graph) own.topology = std::make_unique<CchTopology>(turns, nested_dissection(turns));
+    own.graph = seen.graph;
     own.revision = seen.revision;
     own.is_narrow = fits_32_bits(turns, seen.turn_costs);
     if (own.is_narrow) {

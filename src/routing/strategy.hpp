@@ -35,14 +35,15 @@ struct Traveller {
 /// What was decided for a traveller. Costs run from entering route.front() to the end of the last road.
 struct Decision {
   bool change = false;
-  std::vector<VertexId> route;  ///< the better way found, from the same first road; empty when none was found
+  std::vector<VertexId> route{};  ///< the best way found, from the same first road; empty: there is none
   Millis old_cost = 0;
   Millis new_cost = 0;  ///< of `route`
 };
 
 /// When a traveller gives up its way for a better one: the gain must exceed
-/// (relative + spread * patience) of the time left, and `absolute`; before departure, when turning costs nothing,
-/// `relative` is left out. Thresholds that differ between vehicles keep everybody from turning at the same news.
+/// (relative + spread * patience) of the time left, and `absolute`; before departure, when turning costs
+/// nothing, `relative` is left out. Thresholds that differ between vehicles keep everybody from turning at
+/// the same news.
 struct ChoiceRule {
   double relative = 0.05;
   double spread = 0.3;
@@ -61,7 +62,7 @@ class Strategy {
 };
 
 struct StrategyOptions {
-  ChoiceRule rule;
+  ChoiceRule rule{};
   std::size_t threads = 1;
 };
 

@@ -36,9 +36,10 @@ class Agenda {
     entries_[vehicle].state = State::loaded;
     schedule(vehicle, std::max(now, entries_[vehicle].depart));
   }
+  /// A turn that came within the step that inserted it is taken now.
   void on_departed(VehicleId vehicle, Millis now) {
     entries_[vehicle].state = State::running;
-    schedule(vehicle, period_ == 0 ? now : next_turn(vehicle, now));
+    if (entries_[vehicle].due > now) schedule(vehicle, next_turn(vehicle, now));
   }
   void on_arrived(VehicleId vehicle) { entries_[vehicle] = {}; }
   void reschedule(VehicleId vehicle, Millis now) { schedule(vehicle, next_turn(vehicle, now)); }

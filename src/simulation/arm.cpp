@@ -8,10 +8,19 @@
 #include "core/error.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
+#include "core/time.hpp"
 #include "routing/strategy.hpp"
 
 namespace thalweg {
 namespace {
+
+/// SUMO runs on when a value of its configuration is no number, and measures something else than was asked.
+void check_value(const std::string& name, std::string_view type, std::string_view value) {
+  const bool is_number = type == "FLOAT" || type == "INT";
+  const bool is_time = type == "TIME";
+  const bool good = is_number ? parse_number(value).has_value() : !is_time || parse_time(value).has_value();
+  if (!good) throw InputError(fmt::format("{}={}: this is no {}", name, value, is_time ? "time" : "number"));
+}
 
 Setting device_setting(std::string_view text, const SumoOptions& options) {
   const auto equals = text.find('=');
@@ -19,7 +28,9 @@ Setting device_setting(std::string_view text, const SumoOptions& options) {
   const std::string_view key = trimmed(text.substr(0, equals));
   for (const std::string& name : {fmt::format("device.rerouting.{}", key), std::string(key)}) {
     if (const auto* option = options.find(name)) {
-      return {.name = option->first, .value = std::string(trimmed(text.substr(equals + 1)))};
+      const std::string_view value = trimmed(text.substr(equals + 1));
+      check_value(option->first, option->second.type, value);
+      return {.name = option->first, .value = std::string(value)};
     }
   }
   std::vector<std::string> names;

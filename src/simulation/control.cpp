@@ -55,7 +55,8 @@ class Controller {
         options_(options),
         result_(result),
         agenda_(demand, options.period, options.share),
-        measured_(network, options.window, std::max(options.sample_interval, simulation.step_length())) {
+        sample_interval_(std::max(options.sample_interval, simulation.step_length())),
+        measured_(network, options.window, sample_interval_) {
     for (const DemandVehicle& vehicle : demand.vehicles) {
       auto& index = class_index_[static_cast<std::size_t>(vehicle.vehicle_class)];
       if (vehicle.fixed || index) continue;
@@ -79,7 +80,7 @@ class Controller {
     for (const VehicleId vehicle : simulation_.events().arrived) agenda_.on_arrived(vehicle);
     if (simulation_.now() >= next_sample_) {
       measured_.sample(simulation_.observe());
-      next_sample_ = simulation_.now() + options_.sample_interval;
+      next_sample_ += sample_interval_;  // not from now on: steps of 0.3 s would make 1.2 s of 1 s
     }
     agenda_.take_due(simulation_.now(), due_);
     if (!due_.empty()) decide();
@@ -165,14 +166,15 @@ class Controller {
 
   void log(const Traveller& traveller, const Decision& decision) {
     const RoadGraph& graph = *graphs_[traveller.vehicle_class];
-    LoggedDecision entry{.time = simulation_.now(),
-                         .vehicle = traveller.vehicle,
-                         .old_route = {},
-                         .new_route = {},
-                         .old_cost = decision.old_cost,
-                         .new_cost = decision.new_cost,
-                         .predicted_arrival = simulation_.now() + traveller.until_route +
-                                              (decision.change ? decision.new_cost : decision.old_cost)};
+    const Millis cost = decision.change ? decision.new_cost : decision.old_cost;
+    LoggedDecision entry{
+        .time = simulation_.now(),
+        .vehicle = traveller.vehicle,
+        .old_route = {},
+        .new_route = {},
+        .old_cost = decision.old_cost,
+        .new_cost = decision.new_cost,
+        .predicted_arrival = add_saturating(simulation_.now(), add_saturating(traveller.until_route, cost))};
     for (const VertexId vertex : traveller.route) entry.old_route.push_back(graph.road(vertex));
     if (decision.change) {
       for (const VertexId vertex : decision.route) entry.new_route.push_back(graph.road(vertex));
@@ -186,6 +188,7 @@ class Controller {
   const ControlOptions& options_;
   RunResult& result_;
   Agenda agenda_;
+  Millis sample_interval_;
   MeasuredTimes measured_;
   Millis next_sample_ = 0;
   std::array<std::optional<std::size_t>, 64> class_index_;

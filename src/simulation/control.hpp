@@ -17,7 +17,7 @@ struct ControlOptions {
   Millis sample_interval = 1'000;  ///< between two looks at the traffic
   double share = 1.0;              ///< share of the vehicles that is ours
   Millis stall = 3'600'000;        ///< without an end, stop when nothing has arrived for so long
-  TurnPenalties penalties;
+  TurnPenalties penalties{};
   bool log_decisions = false;
 };
 

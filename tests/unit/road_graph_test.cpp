@@ -173,12 +173,17 @@ TEST(FreeFlow, PenaltiesLieOnTheTurnsInternalRoad) {
       free_flow_times(net, VehicleClass::passenger, 50, {.minor = 1'500, .turnaround = 5'000, .signal = 700});
   EXPECT_EQ(times[road(net, ":B_0")], 2'000 + 1'500);
   EXPECT_EQ(times[road(net, ":B_1")], 3'000) << "it has the right of way";
-  EXPECT_EQ(times[road(net, ":B_2")], 4'000 + 5'000) << "a turn-around, whatever else it is";
+  EXPECT_EQ(times[road(net, ":B_2")], 4'000 + 5'000) << "a turn-around, if it gives way or not";
   EXPECT_EQ(times[road(net, "AB")], 10'000);
-  const Network signal = parse_network(
-      two_lane_net("", lane_connection(0, "via=\":B_0_0\" state=\"o\" tl=\"B\" linkIndex=\"0\"")));
-  EXPECT_EQ(free_flow_times(signal, VehicleClass::passenger, 50, {.signal = 700})[road(signal, ":B_0")],
-            2'700);
+  EXPECT_EQ(times[road(net, "BC")], 10'000);
+  const Network signals = parse_network(two_lane_net(
+      "", lane_connection(0, "via=\":B_0_0\" state=\"o\" tl=\"B\" linkIndex=\"0\"") +
+              lane_connection(1, "via=\":B_1_0\" state=\"o\" tl=\"B\" linkIndex=\"1\" dir=\"t\"")));
+  const RoadTimes signalled = free_flow_times(signals, VehicleClass::passenger, 50,
+                                              {.minor = 1'500, .turnaround = 5'000, .signal = 700});
+  EXPECT_EQ(signalled[road(signals, ":B_0")], 2'000 + 700);
+  EXPECT_EQ(signalled[road(signals, ":B_1")], 3'000 + 700)
+      << "a signalled turn-around: the signal counts last";
 }
 
 //     A-B-C      BC has the limit 0
