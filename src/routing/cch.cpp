@@ -65,7 +65,7 @@ class Searches {
 class CchStrategy : public Strategy {
  public:
   explicit CchStrategy(const StrategyOptions& options)
-      : rule_(options.rule), narrow_(options.threads), wide_(options.threads) {}
+      : rule_(options.rule), narrow_(std::max<std::size_t>(1, options.threads)), wide_(narrow_.size()) {}
 
   void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
               std::vector<Decision>& decisions) override {
@@ -93,7 +93,7 @@ class CchStrategy : public Strategy {
     bool is_narrow = true;
     CchMetric<std::uint32_t> narrow;
     CchMetric<std::uint64_t> wide;
-    std::uint64_t revision = 0;
+    std::vector<Millis> costs;  ///< that the metric was customised for
   };
   struct Batch {
     std::size_t vehicle_class;
@@ -115,10 +115,10 @@ class CchStrategy : public Strategy {
 
   static void refresh(const ClassTraffic& seen, Hierarchy& own) {
     const Digraph& turns = seen.graph->turns();
-    if (own.graph == seen.graph && own.revision == seen.revision) return;
+    if (own.graph == seen.graph && own.costs == seen.turn_costs) return;
     if (own.graph != seen.graph) own.topology = std::make_unique<CchTopology>(turns, nested_dissection(turns));
     own.graph = seen.graph;
-    own.revision = seen.revision;
+    own.costs = seen.turn_costs;
     own.is_narrow = fits_32_bits(turns, seen.turn_costs);
     if (own.is_narrow) {
       own.narrow.customise(*own.topology, seen.turn_costs);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "core/parallel.hpp"
 #include "routing/legs.hpp"
 #include "search/tree.hpp"
@@ -16,7 +18,7 @@ namespace thalweg {
 template <class Search>
 class ServiceTreeStrategy : public Strategy {
  public:
-  explicit ServiceTreeStrategy(const StrategyOptions& options) : rule_(options.rule), scratch_(options.threads) {}
+  explicit ServiceTreeStrategy(const StrategyOptions& options) : rule_(options.rule), scratch_(std::max<std::size_t>(1, options.threads)) {}
 
   void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
               std::vector<Decision>& decisions) override {

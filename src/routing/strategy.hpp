@@ -18,7 +18,6 @@ struct ClassTraffic {
   RoadTimes free_flow;
   RoadTimes road_times;            ///< live
   std::vector<Millis> turn_costs;  ///< by ArcId, live
-  std::uint64_t revision = 1;      ///< another one whenever the costs are new
 };
 
 /// A vehicle whose turn it is to reconsider. Roads are vertices of its class's graph.

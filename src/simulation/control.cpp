@@ -138,7 +138,6 @@ class Controller {
       ClassTraffic& traffic = traffic_[traveller.vehicle_class];
       measured_.live(traffic.free_flow, traffic.road_times);
       turn_costs(*traffic.graph, traffic.road_times, traffic.turn_costs);
-      ++traffic.revision;
     }
   }
 
