@@ -40,6 +40,7 @@ std::vector<std::uint64_t> seeds_of(const Options& options) {
       verify(seed.has_value(), fmt::format("--seeds {}: '{}' is no seed", text, part));
       seeds.push_back(*seed);
     }
+    verify(!seeds.empty(), fmt::format("--seeds {}: there is no seed in this list", text));
     return seeds;
   }
   const std::uint64_t count = options.count("seeds");
@@ -113,7 +114,14 @@ std::vector<RunSummary> run_jobs(const std::vector<Job>& jobs, const std::vector
   ProgressLine progress;
   const auto work = [&] {
     for (std::size_t i = next++; i < jobs.size() && !stop_requested; i = next++) {
-      results[i] = run_job(jobs[i], arms[jobs[i].arm]);
+      try {
+        results[i] = run_job(jobs[i], arms[jobs[i].arm]);
+      } catch (const std::exception& error) {  // out of a thread it would end the program
+        results[i].arm = arms[jobs[i].arm];
+        results[i].seed = jobs[i].seed;
+        results[i].exit = 1;
+        results[i].error = error.what();
+      }
       const std::scoped_lock lock(mutex);
       progress.show(fmt::format("{} of {} runs done, the last: {}, seed {}", ++done, jobs.size(),
                                 arms[jobs[i].arm], jobs[i].seed));

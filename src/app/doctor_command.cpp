@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -25,15 +26,16 @@ bool tell(std::string_view what, const std::string& found, std::string_view mend
 }
 
 std::string version_of(const fs::path& tool) {
-  const fs::path log = fs::temp_directory_path() / fmt::format("thalweg-doctor-{}.log", std::rand());
+  const fs::path log = fs::temp_directory_path() / fmt::format("thalweg-doctor-{}.log", getpid());
   const int exit = tool.empty() ? 1 : run_program(tool, {"--version"}, log);
   const std::string text = read_text(log);
   std::error_code ignored;
   fs::remove(log, ignored);
   const auto lines = split(text, "\n");
   if (exit == 0 && !lines.empty()) return fmt::format("{} ({})", tool.string(), trimmed(lines.front()));
-  return tool.empty() ? ""
-                      : fmt::format("{} (does not run: {})", tool.string(), trimmed(text.substr(0, 200)));
+  if (!tool.empty())
+    fmt::print("{} does not run: {}\n", tool.string(), trimmed(std::string_view(text).substr(0, 200)));
+  return {};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "app/messages.hpp"
@@ -59,6 +60,22 @@ void apply_command_line(const Options& options, Project& project) {
         name, is_input ? resolve_files(options.text(name), fs::current_path()) : options.text(name));
   }
   if (options.is_set("output-prefix")) project.settings.set("output-prefix", options.text("output-prefix"));
+}
+
+/// What follows "--" goes to SUMO as it is, so it may not contradict what the run stands on.
+void check_for_sumo(const Options& options, const SumoOptions& catalogue) {
+  static constexpr std::array<std::string_view, 9> owned{
+      "configuration-file", "route-files", "additional-files", "begin",        "scale",
+      "seed",               "random",      "tripinfo-output",  "statistic-output"};
+  for (const auto& argument : options.for_sumo()) {
+    if (!argument.starts_with('-')) continue;
+    const auto name = std::string_view(argument).substr(argument.starts_with("--") ? 2 : 1);
+    const auto* option = catalogue.find(name.substr(0, name.find('=')));
+    if (option == nullptr || std::find(owned.begin(), owned.end(), option->first) == owned.end()) continue;
+    throw InputError(fmt::format("'{}' cannot be given to SUMO alone: write it in the configuration, or before the '--' "
+                                 "if thalweg has this option",
+                                 argument));
+  }
 }
 
 void check_files(const Settings& settings) {
@@ -136,6 +153,7 @@ Project load_project(Options& options, const std::function<void(const SumoOption
   project.output = fs::absolute(options.text("output-folder")).lexically_normal();
   make_output_folder(project.output);
   project.catalogue = SumoOptions::ask(project.sumo.sumo, project.output);
+  check_for_sumo(options, project.catalogue);
   if (!configuration.empty()) read_user_configuration(options, project);
   apply_command_line(options, project);
   check(project.catalogue);

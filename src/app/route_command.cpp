@@ -48,7 +48,7 @@ class Router {
                       fmt::format("Loading net-file from '{}'", options.text("net-file")));
     network_ = read_network(options.text("net-file"));
     for (const auto& warning : network_.warnings) warn(warning);
-    for (const auto& [id, road] : network_.road_ids) road_names_.push_back(id);
+    for (const Road& road : network_.roads) road_names_.push_back(road.id);
     const auto vehicle_class = parse_vehicle_class(options.text("vclass"));
     verify(vehicle_class.has_value(),
            fmt::format("--vclass {}: nobody knows this vehicle class", options.text("vclass")));
@@ -64,7 +64,10 @@ class Router {
     }
     turn_costs(*graph_, traffic.road_times, traffic.turn_costs);
     traffic_.push_back(std::move(traffic));
-    strategy_ = make_strategy(options.text("strategy"), {.rule = {.relative = 0, .spread = 0, .absolute = 0}, .threads = options.count("threads")});
+    const auto threads = options.count("threads");
+    verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
+    strategy_ = make_strategy(options.text("strategy"),
+                              {.rule = {.relative = 0, .spread = 0, .absolute = 0}, .threads = threads});
   }
 
   /// Adds a trip; what is wrong with it is returned, and nothing when it is well.

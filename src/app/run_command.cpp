@@ -48,12 +48,13 @@ StrategyOptions strategy_options(const Options& options) {
           .threads = threads};
 }
 
-std::vector<DemandedTrip> demanded(const Demand& demand) {
+/// Who waits for a person or a container counts from `begin` on.
+std::vector<DemandedTrip> demanded(const Demand& demand, Millis begin) {
   std::vector<DemandedTrip> trips;
   trips.reserve(demand.vehicles.size());
   for (const DemandVehicle& vehicle : demand.vehicles) {
     trips.push_back({.id = vehicle.id,
-                     .depart = vehicle.depart.value_or(0),
+                     .depart = vehicle.depart.value_or(begin),
                      .fixed = vehicle.fixed,
                      .destination = vehicle.destination});
   }
@@ -94,7 +95,7 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
     simulation->close();
   }
   summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  read_trips(folder.tripinfo, demanded(project.demand), result.end, summary);
+  read_trips(folder.tripinfo, demanded(project.demand, parse_time(project.settings.find("begin").value_or("0")).value_or(0)), result.end, summary);
   read_statistics(folder.statistics, summary);
   if (arm.ours) summary.reroutes = result.reroutes;
   summary.router_cpu_s = arm.ours ? result.router_cpu_s : 0;

@@ -61,9 +61,10 @@ std::string OutputPlaces::place(std::string_view value, const fs::path& from) {
   if (is_special(value)) return std::string(value);
   const fs::path wanted = fs::absolute(from / value).lexically_normal();
   fs::path relative = fs::path(value).lexically_normal();
+  relative.replace_filename(prefix_ + relative.filename().string());  // the prefix may name folders, too
+  relative = relative.lexically_normal();
   const bool leads_out = relative.is_absolute() || (!relative.empty() && *relative.begin() == "..");
   if (leads_out) relative = relative.filename();
-  relative.replace_filename(prefix_ + relative.filename().string());
   fs::path free = relative;
   for (int i = 2; taken_.contains(free) && taken_[free] != wanted; ++i) {
     free = relative;
@@ -75,7 +76,7 @@ std::string OutputPlaces::place(std::string_view value, const fs::path& from) {
   return target.string();
 }
 
-void rewrite_additional(const fs::path& from, const fs::path& to, OutputPlaces& places) {
+void rewrite_additional(const fs::path& from, const fs::path& to, OutputPlaces& places, bool for_duarouter) {
   xml::Writer writer(to, fmt::format("from {}", from.filename().string()));
   const fs::path source_folder = fs::absolute(from).parent_path();
   int copies = 0;
@@ -90,11 +91,11 @@ void rewrite_additional(const fs::path& from, const fs::path& to, OutputPlaces& 
         }
       },
       [&](xml::Node& node) {
-        if (is_demand_element(node.name)) return;
+        if (is_demand_element(node.name) || (for_duarouter && node.name == "calibrator")) return;
         if (node.name == "include") {
           fs::path copy = to;
           copy.replace_filename(fmt::format("{}.{}", ++copies, to.filename().string()));
-          rewrite_additional(source_folder / node.require("href"), copy, places);
+          rewrite_additional(source_folder / node.require("href"), copy, places, for_duarouter);
           node.set("href", copy.string());
         } else {
           rewrite(node, source_folder, places);

@@ -41,9 +41,14 @@ bool note(const xml::Node& node, const Network& network, InputScan& scan) {
   if (!scan.seen.insert(id).second) throw node.error("there is a vehicle, trip or flow of this id already");
   const bool is_flow = node.name == "flow";
   if (const auto road = unknown_road(node, network); !road.empty()) {
-    scan.dropped.push_back({.id = id,
-                            .reason = fmt::format("{}the edge '{}' is not in the net",
-                                                  is_flow ? "the whole flow: " : "", road)});
+    const auto reason = fmt::format("the edge '{}' is not in the net", road);
+    const auto number = parse_integer<int>(node.value_or("number", ""));
+    if (!is_flow || !number) {
+      scan.dropped.push_back({.id = id, .reason = is_flow ? "the whole flow: " + reason : reason});
+    }
+    for (int i = 0; is_flow && number && i < *number; ++i) {
+      scan.dropped.push_back({.id = fmt::format("{}.{}", id, i), .reason = reason});
+    }
     return false;
   }
   if (const std::string* via = node.find("via")) scan.via.emplace(id, *via);
@@ -51,6 +56,32 @@ bool note(const xml::Node& node, const Network& network, InputScan& scan) {
   if (is_flow && node.find("end") == nullptr && node.find("number") == nullptr) scan.has_open_flows = true;
   if (has_route(node)) scan.has_given_routes = true;
   return true;
+}
+
+/// What `scan_demand` does with one file, and with those that it includes. True: there was demand in it.
+bool scan_into(xml::Writer& writer, const std::filesystem::path& file, const Network& network, bool is_additional,
+               InputScan& scan) {
+  bool found = false;
+  xml::read_nodes(
+      file,
+      [&](const xml::Element& root) {
+        if (!is_additional && (root.name() == "net" || root.name() == "configuration")) {
+          throw root.error("this is no route file: its root should be <routes>");
+        }
+      },
+      [&](const xml::Node& node) {
+        if (node.name == "include") {
+          const auto included = std::filesystem::absolute(file).parent_path() / node.require("href");
+          if (scan_into(writer, included, network, is_additional, scan)) found = true;
+          return;
+        }
+        const bool is_demand = is_demand_element(node.name);
+        if (is_additional && !is_demand) return;  // duarouter reads the rest of the additional file itself
+        found = found || is_demand;
+        const bool is_vehicle = node.name == "vehicle" || node.name == "trip" || node.name == "flow";
+        if (!is_vehicle || note(node, network, scan)) write_node(writer, node);
+      });
+  return found;
 }
 
 }  // namespace
@@ -65,23 +96,7 @@ bool scan_demand(const std::filesystem::path& file, const std::filesystem::path&
                  bool is_additional, InputScan& scan) {
   xml::Writer writer(copy, fmt::format("from {}", file.filename().string()));
   writer.open("routes");
-  bool found = false;
-  xml::read_nodes(
-      file,
-      [&](const xml::Element& root) {
-        if (!is_additional && (root.name() == "net" || root.name() == "configuration")) {
-          throw root.error("this is no route file: its root should be <routes>");
-        }
-      },
-      [&](xml::Node& node) {
-        if (node.name == "include")
-          throw node.error("<include> is not understood here: name the file itself");
-        const bool is_demand = is_demand_element(node.name);
-        if (is_additional && !is_demand) return;  // duarouter reads the additional file itself
-        found = found || is_demand;
-        const bool is_vehicle = node.name == "vehicle" || node.name == "trip" || node.name == "flow";
-        if (!is_vehicle || note(node, network, scan)) write_node(writer, node);
-      });
+  const bool found = scan_into(writer, file, network, is_additional, scan);
   if (is_additional && !found) return false;
   writer.commit();
   return true;

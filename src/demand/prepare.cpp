@@ -93,14 +93,18 @@ std::unordered_map<std::string, std::string> reasons_of(const std::string& log) 
 /// The way points of a vehicle: its own, or those of the flow it came from ("flow.3").
 std::string via_of(const std::string& id, const InputScan& scan) {
   auto found = scan.via.find(id);
-  if (found == scan.via.end()) found = scan.via.find(id.substr(0, id.rfind('.')));
+  if (found == scan.via.end() && !scan.seen.contains(id)) {
+    found = scan.via.find(id.substr(0, id.rfind('.')));
+  }
   return found == scan.via.end() ? std::string() : found->second;
 }
 
-/// The arms' file of vehicles: types in front, what duarouter dropped on the way noted in `demand`.
+/// The arms' file of vehicles: types in front (without those of additional files, which SUMO reads itself),
+/// what duarouter dropped on the way noted in `demand`.
 void write_given(const fs::path& routed, const fs::path& types_file, const TypeClasses& other_types,
                  const InputScan& scan, const Network& network, const DemandFiles& files, Demand& demand) {
   TypeClasses types = other_types;
+  types.merge(default_types());
   read_types(types_file, types);
   xml::Writer writer(files.given(), "prepared by thalweg: the same demand for every arm");
   writer.open("routes");
@@ -124,14 +128,21 @@ void write_given(const fs::path& routed, const fs::path& types_file, const TypeC
           return;
         }
         if (auto via = via_of(id, scan); !via.empty()) node.set("via", std::move(via));
-        demand.vehicles.push_back(describe_vehicle(node, network, types));
+        DemandVehicle vehicle = describe_vehicle(node, network, types);
+    if (vehicle.fixed) {  // not even SUMO's own router touches it
+      node.children.push_back({.name = "param",
+                               .attributes = {{"key", "has.rerouting.device"}, {"value", "false"}},
+                               .children = {},
+                               .place = node.place});
+    }
+    demand.vehicles.push_back(std::move(vehicle));
         write_node(writer, node);
       });
   writer.commit();
 }
 
-/// Adds those who were in the input and are not in the output.
-void note_unrouted(const InputScan& scan, const std::string& log, Demand& demand) {
+/// Adds those who were in the input and are not in the output; in a thinned demand only those with a reason.
+void note_unrouted(const InputScan& scan, const std::string& log, bool is_thinned, Demand& demand) {
   std::unordered_set<std::string> present;
   for (const DemandVehicle& vehicle : demand.vehicles) present.insert(vehicle.id);
   for (const DroppedVehicle& vehicle : demand.dropped) present.insert(vehicle.id);
@@ -139,6 +150,7 @@ void note_unrouted(const InputScan& scan, const std::string& log, Demand& demand
   for (const auto& id : scan.ids) {
     if (present.contains(id)) continue;
     const auto reason = reasons.find(id);
+    if (is_thinned && reason == reasons.end()) continue;
     demand.dropped.push_back({.id = id,
                               .reason = reason == reasons.end()
                                             ? "departs before the begin, or duarouter left it out"
@@ -203,20 +215,19 @@ void write_free_flow(const Duarouter& duarouter, const DemandFiles& files, const
   fs::remove(routed);
 }
 
-/// The user's settings for a second call of duarouter: the vehicles of additional files are in the given file
-/// by now, and all are scaled already. The additional files' copies are written to `scratch`.
-Settings without_demand(const Settings& settings, const fs::path& scratch) {
+/// The user's settings as duarouter shall have them: the demand of additional files is among the route files by now.
+/// The additional files' copies are written to `scratch`.
+Settings for_duarouter(const Settings& settings, const fs::path& scratch) {
   fs::create_directories(scratch);
   OutputPlaces places(scratch, "");
   std::string copies;
   int number = 0;
   for (const auto& file : file_list(settings.find("additional-files").value_or(""))) {
     const fs::path copy = scratch / fmt::format("additional.{}.xml", number++);
-    rewrite_additional(file, copy, places);
+    rewrite_additional(file, copy, places, true);
     copies += (copies.empty() ? "" : ",") + copy.string();
   }
   Settings rest = settings;
-  rest.erase("scale");
   rest.set("additional-files", copies);
   return rest;
 }
@@ -235,9 +246,10 @@ void write_dropped(const DemandFiles& files, const std::vector<DroppedVehicle>& 
 Demand prepare_demand(const Settings& settings, const Network& network, const SumoInstallation& sumo,
                       const DemandFiles& files) {
   fs::create_directories(files.folder);
-  const Duarouter duarouter(settings, sumo, files.folder);
+  const fs::path scratch = files.folder / "additional";
+  Settings routing = for_duarouter(settings, scratch);
   InputScan scan;
-  TypeClasses other_types = default_types();
+  TypeClasses other_types;  // of additional files
   std::string inputs;
   int number = 0;
   const auto scan_all = [&](std::string_view option, bool is_additional) {
@@ -245,16 +257,12 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
       const fs::path copy = files.folder / fmt::format("input.{}.xml", number++);
       if (is_additional) read_types(file, other_types);
       if (!scan_demand(file, copy, network, is_additional, scan)) continue;
-      if (is_additional) {  // duarouter reads the demand of additional files itself: only looked at here
-        fs::remove(copy);
-        continue;
-      }
       inputs += (inputs.empty() ? "" : ",") + copy.string();
     }
   };
   scan_all("additional-files", true);
   scan_all("route-files", false);
-  verify(!scan.seen.empty(), "the configuration has no demand: no vehicle, trip or flow in its route files");
+  verify(!scan.seen.empty(), "the configuration has no demand: no vehicle, trip or flow in its files");
 
   Demand demand;
   const fs::path routed = files.folder / "routed.xml";
@@ -262,18 +270,21 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   std::vector<std::string> more{"--vtype-output", types.string()};
   if (const auto end = settings.find("end"); end && scan.has_open_flows)
     more.insert(more.end(), {"--end", *end});
-  const std::string log = duarouter.route(inputs, routed, more);
+  const std::string log = Duarouter(routing, sumo, files.folder).route(inputs, routed, more);
   demand.dropped = scan.dropped;
   write_given(routed, types, other_types, scan, network, files, demand);
-  note_unrouted(scan, log, demand);
+  const auto scale = parse_number(settings.find("scale").value_or("1"));
+  note_unrouted(scan, log, scale && *scale < 1, demand);
   if (scan.has_given_routes) {
-    const fs::path scratch = files.folder / "static";
-    write_free_flow(Duarouter(without_demand(settings, scratch), sumo, files.folder), files, demand);
-    fs::remove_all(scratch);
+    routing.erase("scale");  // done already
+    write_free_flow(Duarouter(routing, sumo, files.folder), files, demand);
   } else {
     fs::copy_file(files.given(), files.free_flow(), fs::copy_options::overwrite_existing);
   }
+  fs::remove_all(scratch);
   write_dropped(files, demand.dropped);
+  verify(!demand.vehicles.empty(),
+         fmt::format("nothing is left of the demand: no vehicle can be routed; {} tells why", files.dropped().string()));
   for (int i = 0; i < number; ++i) fs::remove(files.folder / fmt::format("input.{}.xml", i));
   fs::remove(routed);
   fs::remove(types);

@@ -2,7 +2,8 @@
 #include "graph/road_graph.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <string_view>
+#include <unordered_map>
 
 namespace thalweg {
 namespace {
@@ -82,6 +83,10 @@ RoadGraph::RoadGraph(const Network& network, VehicleClass vehicle_class)
 
 RoadTimes free_flow_times(const Network& network, VehicleClass vehicle_class, double max_speed,
                           const TurnPenalties& penalties) {
+  std::unordered_map<std::string_view, double> limits;  // by type of road
+  for (const auto& restriction : network.restrictions) {
+    if (restriction.vehicle_class == vehicle_class) limits[restriction.type] = restriction.speed;
+  }
   RoadTimes times(network.roads.size());
   for (std::size_t i = 0; i < network.roads.size(); ++i) {
     const Road& road = network.roads[RoadId{i}];
@@ -93,10 +98,7 @@ RoadTimes free_flow_times(const Network& network, VehicleClass vehicle_class, do
       speed = lane.speed;
       length = lane.length;
     }
-    for (const auto& restriction : network.restrictions) {
-      if (restriction.vehicle_class == vehicle_class && restriction.type == road.type)
-        speed = restriction.speed;
-    }
+    if (const auto limit = limits.find(road.type); limit != limits.end()) speed = limit->second;
     times[RoadId{i}] = from_seconds(length / std::min(speed, max_speed));
   }
   IdVector<RoadId, Millis> penalty(network.roads.size(), 0);

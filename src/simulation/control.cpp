@@ -21,13 +21,14 @@ double cpu_seconds() {
 
 /// Positions in `route`, ascending, that the vehicle must keep: its stops, what is left of its `via`, its
 /// end.
+/// Empty: a stop is not on the route, so that the vehicle had better be left alone.
 std::vector<std::size_t> kept_positions(const Plan& plan, const std::vector<RoadId>& via) {
   std::vector<std::size_t> kept{plan.route.size() - 1};
   std::size_t from = 0;
   for (const RoadId stop : plan.waypoints) {
     const auto found =
         std::find(plan.route.begin() + static_cast<std::ptrdiff_t>(from), plan.route.end(), stop);
-    if (found == plan.route.end()) break;
+    if (found == plan.route.end()) return {};
     from = static_cast<std::size_t>(found - plan.route.begin());
     kept.push_back(from);
   }

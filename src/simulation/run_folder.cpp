@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 /// What a run decides itself or has no use for.
 bool is_replaced(const std::string& name) {
-  static constexpr std::array<std::string_view, 12> names{"configuration-file",
+  static constexpr std::array<std::string_view, 14> names{
+      "output-suffix", "output.format","configuration-file",
                                                           "save-configuration",
                                                           "save-template",
                                                           "save-schema",
@@ -72,6 +73,11 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
   result.statistics = readable_output(run, places, "statistic-output", "statistics.xml");
   if (!run.find("error-log")) run.set("error-log", places.place("sumo.log", home));
   result.errors = *run.find("error-log");
+  // What an earlier run left here must not be read as this one's, should SUMO write elsewhere or not at all.
+  for (const fs::path& file : {result.tripinfo, result.statistics, result.errors}) {
+    std::error_code ignored;
+    if (file.is_absolute() && fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
+  }
   run.set("tripinfo-output.write-unfinished", "true");
   run.set("tripinfo-output.write-undeparted", "true");
   run.set("no-step-log", "true");
@@ -84,7 +90,7 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
   int number = 0;
   for (const auto& file : file_list(user.find("additional-files").value_or(""))) {
     const fs::path copy = home / fmt::format("additional.{}.xml", number++);
-    rewrite_additional(file, copy, places);
+    rewrite_additional(file, copy, places, false);
     additional += copy.string() + ",";
   }
   run.set("additional-files", additional + write_edge_data(home).string());

@@ -13,7 +13,7 @@ namespace thalweg {
 /// The folder of one run: SUMO's configuration as it was run, and every output.
 struct RunFolder {
   std::filesystem::path folder;
-  std::filesystem::path configuration;  ///< run.sumocfg: for a baseline plain `sumo -c` repeats the run
+  std::filesystem::path configuration;  ///< run.sumocfg: plain `sumo -c` repeats a baseline that has no `via`
   std::filesystem::path tripinfo;
   std::filesystem::path statistics;
   std::filesystem::path errors;  ///< SUMO's warnings and errors

@@ -120,9 +120,7 @@ class SumoSession : public Simulation {
   static void guarded(Action action) {
     try {
       action();
-    } catch (const libsumo::TraCIException& error) {
-      throw InputError(fmt::format("SUMO: {}", error.what()));
-    } catch (const libsumo::FatalTraCIError& error) {
+    } catch (const std::exception& error) {  // TraCI's, SUMO's own ProcessError, std::bad_alloc ..
       throw InputError(fmt::format("SUMO: {}", error.what()));
     }
   }

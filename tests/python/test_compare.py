@@ -5,6 +5,7 @@ import json
 import os
 import signal
 import subprocess
+import tempfile
 import time
 from pathlib import Path
 
@@ -57,7 +58,7 @@ def make_city(folder):
 class Compare(support.TestCase):
     @classmethod
     def setUpClass(cls):
-        place = Path(cls.enterClassContext(__import__("tempfile").TemporaryDirectory(prefix="thalweg-compare-")))
+        place = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="thalweg-compare-")))
         cls.configuration = make_city(place / "city")
         cls.before = hashes(place / "city")
         cls.results, cls.jsons, cls.folders = {}, {}, {}

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`thalweg network` counts what sumolib counts, in every city and every sample network."""
 import re
-import unittest
 
 import support
 from support import City, expand, on_each, sample_net, sumolib

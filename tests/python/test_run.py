@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """One run of SUMO with our router in charge: what comes out, and what is kept."""
 import statistics
-import unittest
 
 import support
-from support import (PROJECT, Run, expand, in_order, make_grid, normal_roads, on_each, random_trips, read_xml, sumolib,
+from support import (PROJECT, expand, in_order, make_grid, on_each, random_trips, read_xml, sumolib,
                      without_comments, write, write_routes)
 
 LIGHT = PROJECT / "scenarios" / "grid" / "light.sumocfg"

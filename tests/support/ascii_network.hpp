@@ -187,15 +187,16 @@ inline VertexId vertex(const Network& network, const RoadGraph& graph, std::stri
 /// `way` as vertices of the graph.
 inline std::vector<VertexId> vertex_way(const Network& network, const RoadGraph& graph,
                                         std::string_view junctions) {
-  std::vector<VertexId> vertices;
-  for (const RoadId road : way(network, junctions)) vertices.push_back(graph.vertex(road));
+  const std::vector<RoadId> roads = way(network, junctions);
+  std::vector<VertexId> vertices(roads.size());
+  for (std::size_t i = 0; i < roads.size(); ++i) vertices[i] = graph.vertex(roads[i]);
   return vertices;
 }
 
 inline std::string names(const Network& network, const RoadGraph& graph,
                          const std::vector<VertexId>& vertices) {
-  std::vector<RoadId> roads;
-  for (const VertexId vertex : vertices) roads.push_back(graph.road(vertex));
+  std::vector<RoadId> roads(vertices.size());
+  for (std::size_t i = 0; i < roads.size(); ++i) roads[i] = graph.road(vertices[i]);
   return names(network, roads);
 }
 

@@ -35,14 +35,14 @@ class TemporaryFolder {
   std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
 
   std::filesystem::path write(std::string_view name, std::string_view text) const {
-    const auto file = path_ / name;
+    auto file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << text;
     return file;
   }
 
   std::filesystem::path write_gzip(std::string_view name, std::string_view text) const {
-    const auto file = path_ / name;
+    auto file = path_ / name;
     gzFile stream = gzopen(file.c_str(), "wb");
     if (stream == nullptr) throw std::runtime_error("cannot write " + file.string());
     gzwrite(stream, text.data(), static_cast<unsigned>(text.size()));

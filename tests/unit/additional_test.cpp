@@ -17,7 +17,7 @@ class Additional : public ::testing::Test {
   /// The elements below the root of the copy of an additional file with this content.
   std::vector<xml::Node> copy_of(const std::string& content) {
     const auto from = folder.write("city/extra.add.xml", "<additional>\n" + content + "\n</additional>");
-    rewrite_additional(from, folder / "run/extra.add.xml", places);
+    rewrite_additional(from, folder / "run/extra.add.xml", places, false);
     return elements_of(folder / "run/extra.add.xml");
   }
   static std::vector<xml::Node> elements_of(const fs::path& file) {
@@ -127,7 +127,7 @@ TEST_F(Additional, IncludedFilesAreCopiedToo) {
 TEST_F(Additional, ErrorsNameTheFileAndLeaveNoCopy) {
   const auto from = folder.write("city/bad.add.xml", "<additional>\n<include/>\n</additional>");
   const auto to = folder / "run/bad.add.xml";
-  EXPECT_TRUE(contains(input_error([&] { rewrite_additional(from, to, places); }),
+  EXPECT_TRUE(contains(input_error([&] { rewrite_additional(from, to, places, false); }),
                        from.string() + ":2: <include>: the attribute 'href' is missing"));
   EXPECT_TRUE(fs::is_empty(folder / "run"));
 }
