@@ -14,6 +14,7 @@ int run_command(std::span<const std::string> arguments);
 int compare_command(std::span<const std::string> arguments);
 int route_command(std::span<const std::string> arguments);
 int network_command(std::span<const std::string> arguments);
+int lab_command(std::span<const std::string> arguments);
 int doctor_command(std::span<const std::string> arguments);
 
 /// The options of `run`, which `thalweg --save-template` writes for sumolib.

@@ -19,11 +19,12 @@ struct Command {
   int (*run)(std::span<const std::string>);
 };
 
-constexpr std::array<Command, 5> commands{{
+constexpr std::array<Command, 6> commands{{
     {"run", "one headless run of SUMO with one router in charge", &thalweg::run_command},
     {"compare", "the same demand under several routers and seeds: who arrives earlier?",
      &thalweg::compare_command},
     {"route", "routes on a network, without SUMO", &thalweg::route_command},
+    {"lab", "the paper's experiments", &thalweg::lab_command},
     {"network", "what a network looks like to the router", &thalweg::network_command},
     {"doctor", "which SUMO is used, and what is missing", &thalweg::doctor_command},
 }};
@@ -56,6 +57,7 @@ int run(const std::vector<std::string>& arguments) {
   if (first.starts_with("--save-template"))
     return thalweg::run_command(arguments);  // sumolib.options.pullOptions
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const Command& command : commands) names.emplace_back(command.name);
   throw InputError(fmt::format("there is no command '{}'{}; 'thalweg --help' lists them", first,
                                thalweg::did_you_mean(first, names)));

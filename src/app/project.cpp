@@ -65,16 +65,17 @@ void apply_command_line(const Options& options, Project& project) {
 /// What follows "--" goes to SUMO as it is, so it may not contradict what the run stands on.
 void check_for_sumo(const Options& options, const SumoOptions& catalogue) {
   static constexpr std::array<std::string_view, 9> owned{
-      "configuration-file", "route-files", "additional-files", "begin",        "scale",
-      "seed",               "random",      "tripinfo-output",  "statistic-output"};
+      "configuration-file", "route-files",     "additional-files", "begin", "scale", "seed", "random",
+      "tripinfo-output",    "statistic-output"};
   for (const auto& argument : options.for_sumo()) {
     if (!argument.starts_with('-')) continue;
     const auto name = std::string_view(argument).substr(argument.starts_with("--") ? 2 : 1);
     const auto* option = catalogue.find(name.substr(0, name.find('=')));
     if (option == nullptr || std::find(owned.begin(), owned.end(), option->first) == owned.end()) continue;
-    throw InputError(fmt::format("'{}' cannot be given to SUMO alone: write it in the configuration, or before the '--' "
-                                 "if thalweg has this option",
-                                 argument));
+    throw InputError(
+        fmt::format("'{}' cannot be given to SUMO alone: write it in the configuration, or before the '--' "
+                    "if thalweg has this option",
+                    argument));
   }
 }
 

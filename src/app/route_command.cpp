@@ -48,7 +48,7 @@ class Router {
                       fmt::format("Loading net-file from '{}'", options.text("net-file")));
     network_ = read_network(options.text("net-file"));
     for (const auto& warning : network_.warnings) warn(warning);
-    for (const Road& road : network_.roads) road_names_.push_back(road.id);
+    for (const auto& [id, road] : network_.road_ids) road_names_.push_back(id);
     const auto vehicle_class = parse_vehicle_class(options.text("vclass"));
     verify(vehicle_class.has_value(),
            fmt::format("--vclass {}: nobody knows this vehicle class", options.text("vclass")));

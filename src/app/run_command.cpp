@@ -95,7 +95,9 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
     simulation->close();
   }
   summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  read_trips(folder.tripinfo, demanded(project.demand, parse_time(project.settings.find("begin").value_or("0")).value_or(0)), result.end, summary);
+  read_trips(folder.tripinfo,
+             demanded(project.demand, parse_time(project.settings.find("begin").value_or("0")).value_or(0)),
+             result.end, summary);
   read_statistics(folder.statistics, summary);
   if (arm.ours) summary.reroutes = result.reroutes;
   summary.router_cpu_s = arm.ours ? result.router_cpu_s : 0;

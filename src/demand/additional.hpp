@@ -29,8 +29,8 @@ class OutputPlaces {
 /// Copies an additional file for one run: outputs to their places, inputs by absolute path, demand left out
 /// (it is in the prepared file), and nothing that switches device.rerouting on.
 /// `for_duarouter`: without calibrators as well, on which SUMO 1.28's duarouter crashes.
-void rewrite_additional(const std::filesystem::path& from, const std::filesystem::path& to, OutputPlaces& places,
-                        bool for_duarouter);
+void rewrite_additional(const std::filesystem::path& from, const std::filesystem::path& to,
+                        OutputPlaces& places, bool for_duarouter);
 
 /// <param> keys that would hand a vehicle to SUMO's own router.
 bool switches_rerouting(std::string_view key);

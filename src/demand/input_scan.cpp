@@ -59,8 +59,8 @@ bool note(const xml::Node& node, const Network& network, InputScan& scan) {
 }
 
 /// What `scan_demand` does with one file, and with those that it includes. True: there was demand in it.
-bool scan_into(xml::Writer& writer, const std::filesystem::path& file, const Network& network, bool is_additional,
-               InputScan& scan) {
+bool scan_into(xml::Writer& writer, const std::filesystem::path& file, const Network& network,
+               bool is_additional, InputScan& scan) {
   bool found = false;
   xml::read_nodes(
       file,

@@ -129,13 +129,13 @@ void write_given(const fs::path& routed, const fs::path& types_file, const TypeC
         }
         if (auto via = via_of(id, scan); !via.empty()) node.set("via", std::move(via));
         DemandVehicle vehicle = describe_vehicle(node, network, types);
-    if (vehicle.fixed) {  // not even SUMO's own router touches it
-      node.children.push_back({.name = "param",
-                               .attributes = {{"key", "has.rerouting.device"}, {"value", "false"}},
-                               .children = {},
-                               .place = node.place});
-    }
-    demand.vehicles.push_back(std::move(vehicle));
+        if (vehicle.fixed) {  // not even SUMO's own router touches it
+          node.children.push_back({.name = "param",
+                                   .attributes = {{"key", "has.rerouting.device"}, {"value", "false"}},
+                                   .children = {},
+                                   .place = node.place});
+        }
+        demand.vehicles.push_back(std::move(vehicle));
         write_node(writer, node);
       });
   writer.commit();
@@ -215,8 +215,8 @@ void write_free_flow(const Duarouter& duarouter, const DemandFiles& files, const
   fs::remove(routed);
 }
 
-/// The user's settings as duarouter shall have them: the demand of additional files is among the route files by now.
-/// The additional files' copies are written to `scratch`.
+/// The user's settings as duarouter shall have them: the demand of additional files is among the route files
+/// by now. The additional files' copies are written to `scratch`.
 Settings for_duarouter(const Settings& settings, const fs::path& scratch) {
   fs::create_directories(scratch);
   OutputPlaces places(scratch, "");
@@ -284,7 +284,8 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   fs::remove_all(scratch);
   write_dropped(files, demand.dropped);
   verify(!demand.vehicles.empty(),
-         fmt::format("nothing is left of the demand: no vehicle can be routed; {} tells why", files.dropped().string()));
+         fmt::format("nothing is left of the demand: no vehicle can be routed; {} tells why",
+                     files.dropped().string()));
   for (int i = 0; i < number; ++i) fs::remove(files.folder / fmt::format("input.{}.xml", i));
   fs::remove(routed);
   fs::remove(types);

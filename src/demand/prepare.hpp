@@ -11,7 +11,7 @@ namespace thalweg {
 
 /// The files of a prepared demand, all within one folder.
 struct DemandFiles {
-  explicit DemandFiles(std::filesystem::path folder_) : folder(std::move(folder_)) {}
+  explicit DemandFiles(std::filesystem::path place) : folder(std::move(place)) {}
   std::filesystem::path folder;
   [[nodiscard]] std::filesystem::path given() const {
     return folder / "given.rou.xml";

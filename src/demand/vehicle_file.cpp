@@ -14,7 +14,8 @@ const auto any_root = [](const xml::Element&) {};
 
 bool has_taxi_device(const xml::Node& node) {
   return std::any_of(node.children.begin(), node.children.end(), [](const xml::Node& child) {
-    return child.name == "param" && child.value_or("key", "") == "has.taxi.device" && child.value_or("value", "") == "true";
+    return child.name == "param" && child.value_or("key", "") == "has.taxi.device" &&
+           child.value_or("value", "") == "true";
   });
 }
 
@@ -22,7 +23,8 @@ void add_type(const xml::Node& node, TypeClasses& types) {
   if (node.name == "vType") {
     const auto known = parse_vehicle_class(node.value_or("vClass", "passenger"));
     // A taxi is one by its device as well.
-    types[node.require("id")] = has_taxi_device(node) ? VehicleClass::taxi : known.value_or(VehicleClass::passenger);
+    types[node.require("id")] =
+        has_taxi_device(node) ? VehicleClass::taxi : known.value_or(VehicleClass::passenger);
   }
   if (node.name == "vTypeDistribution" && node.find("id") != nullptr) {
     types.try_emplace(node.require("id"), VehicleClass::passenger);
@@ -37,8 +39,7 @@ bool is_public_transport(const xml::Node& vehicle, VehicleClass vehicle_class) {
                                      [](const xml::Node& child) { return child.name == "stop"; });
   const bool is_bus = vehicle_class == VehicleClass::bus || vehicle_class == VehicleClass::coach;
   return vehicle.find("line") != nullptr || is_guided(vehicle_class) || vehicle_class == VehicleClass::taxi ||
-         has_taxi_device(vehicle) ||
-         vehicle_class == VehicleClass::pedestrian || (is_bus && has_stops);
+         has_taxi_device(vehicle) || vehicle_class == VehicleClass::pedestrian || (is_bus && has_stops);
 }
 
 }  // namespace

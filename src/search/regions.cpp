@@ -16,18 +16,23 @@ void reset(Regions& out, std::size_t vertices) {
 /// Gives the vertices since the last region to a new one.
 void close_region(Regions& out) { out.first.push_back(static_cast<std::uint32_t>(out.order.size())); }
 
-bool contains(std::span<const VertexId> vertices, VertexId v) {
-  return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
-}
+struct NotCounted {
+  void table() {}
+};
 
-}  // namespace
+struct Counted {
+  PartitionOperations& operations;
+  void table() { ++operations.table; }
+};
 
-template <Direction direction>
-void partition(const Digraph& graph, std::span<const VertexId> sources, Regions& out,
-               std::span<const VertexId> until) {
+template <Direction direction, class Counter>
+void level(const Digraph& graph, std::span<const VertexId> sources, Regions& out,
+           std::span<const VertexId> until, Counter counter) {
   reset(out, graph.vertex_count());
   const auto dispatch = [&](VertexId v, std::uint32_t region) {
+    counter.table();
     if (out.number[v] != 0) return;
+    counter.table();
     out.number[v] = region;
     out.order.push_back(v);
   };
@@ -45,9 +50,31 @@ void partition(const Digraph& graph, std::span<const VertexId> sources, Regions&
   }
 }
 
+}  // namespace
+
+template <Direction direction>
+void partition(const Digraph& graph, std::span<const VertexId> sources, Regions& out,
+               std::span<const VertexId> until) {
+  level<direction>(graph, sources, out, until, NotCounted{});
+}
+
+template <Direction direction>
+void partition(const Digraph& graph, std::span<const VertexId> sources, Regions& out,
+               PartitionOperations& operations) {
+  operations = {};
+  level<direction>(graph, sources, out, {}, Counted{operations});
+}
+
 template <Direction direction>
 bool partition_first_form(const Digraph& graph, std::span<const VertexId> sources, Regions& out,
-                          std::uint32_t max_regions) {
+                          std::uint32_t max_regions, PartitionOperations* operations) {
+  std::uint64_t comparisons = 0;
+  const auto contains = [&comparisons](std::span<const VertexId> vertices, VertexId v) {
+    const auto found = std::find(vertices.begin(), vertices.end(), v);
+    comparisons += static_cast<std::uint64_t>(found - vertices.begin()) + (found == vertices.end() ? 0U : 1U);
+    return found != vertices.end();
+  };
+  bool ended = true;
   reset(out, graph.vertex_count());
   if (max_regions == 0) max_regions = static_cast<std::uint32_t>(graph.vertex_count());
   std::vector<VertexId> leaves;  // the paper's alpha
@@ -55,7 +82,10 @@ bool partition_first_form(const Digraph& graph, std::span<const VertexId> source
     if (!contains(leaves, source)) leaves.push_back(source);
   }
   while (!leaves.empty()) {
-    if (out.count() == max_regions) return false;
+    if (out.count() == max_regions) {
+      ended = false;
+      break;
+    }
     out.order.insert(out.order.end(), leaves.begin(), leaves.end());
     close_region(out);
     for (const VertexId v : leaves) out.number[v] = out.count();
@@ -69,16 +99,21 @@ bool partition_first_form(const Digraph& graph, std::span<const VertexId> source
       }
     }
   }
-  return true;
+  if (operations != nullptr) *operations = {.table = 0, .comparisons = comparisons};
+  return ended;
 }
 
+template void partition<Direction::forward>(const Digraph&, std::span<const VertexId>, Regions&,
+                                            PartitionOperations&);
+template void partition<Direction::backward>(const Digraph&, std::span<const VertexId>, Regions&,
+                                             PartitionOperations&);
 template void partition<Direction::forward>(const Digraph&, std::span<const VertexId>, Regions&,
                                             std::span<const VertexId>);
 template void partition<Direction::backward>(const Digraph&, std::span<const VertexId>, Regions&,
                                              std::span<const VertexId>);
 template bool partition_first_form<Direction::forward>(const Digraph&, std::span<const VertexId>, Regions&,
-                                                       std::uint32_t);
+                                                       std::uint32_t, PartitionOperations*);
 template bool partition_first_form<Direction::backward>(const Digraph&, std::span<const VertexId>, Regions&,
-                                                        std::uint32_t);
+                                                        std::uint32_t, PartitionOperations*);
 
 }  // namespace thalweg

@@ -24,6 +24,12 @@ struct Regions {
   }
 };
 
+/// Elementary operations of a partition: what the paper's O(4 E) and O(E^2) count.
+struct PartitionOperations {
+  std::uint64_t table = 0;        ///< reads and writes of the region table (second form)
+  std::uint64_t comparisons = 0;  ///< of two vertices (first form)
+};
+
 /// The paper's optimised partition (Table 2), in O(V + E). Its two tables, "has a region" and "was already
 /// dispatched", are one here: a vertex gets its number when it is dispatched. Repeated sources count once.
 /// With `until`, ends after the first region by whose end all of `until` have a number; if one of them is out
@@ -32,6 +38,11 @@ template <Direction direction>
 void partition(const Digraph& graph, std::span<const VertexId> sources, Regions& out,
                std::span<const VertexId> until = {});
 
+/// The same, counted: each arc reads the table once and each vertex writes it once, at most 2 (E + sources).
+template <Direction direction>
+void partition(const Digraph& graph, std::span<const VertexId> sources, Regions& out,
+               PartitionOperations& operations);
+
 /// The paper's first form (Table 1), by comparing arrays, in O(E^2): the baseline of its runtime table.
 /// It removes only the current and the fore region from the leaves, so it equals `partition` where every arc
 /// has its reverse, and elsewhere may put a vertex into several regions: `order` then repeats it and `number`
@@ -39,6 +50,6 @@ void partition(const Digraph& graph, std::span<const VertexId> sources, Regions&
 /// (0: the number of vertices, which a right partition never exceeds), and returns false.
 template <Direction direction>
 bool partition_first_form(const Digraph& graph, std::span<const VertexId> sources, Regions& out,
-                          std::uint32_t max_regions = 0);
+                          std::uint32_t max_regions = 0, PartitionOperations* operations = nullptr);
 
 }  // namespace thalweg

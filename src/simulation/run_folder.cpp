@@ -16,8 +16,9 @@ namespace fs = std::filesystem;
 
 /// What a run decides itself or has no use for.
 bool is_replaced(const std::string& name) {
-  static constexpr std::array<std::string_view, 14> names{
-      "output-suffix", "output.format","configuration-file",
+  static constexpr std::array<std::string_view, 14> names{"output-suffix",
+                                                          "output.format",
+                                                          "configuration-file",
                                                           "save-configuration",
                                                           "save-template",
                                                           "save-schema",
@@ -43,7 +44,7 @@ fs::path readable_output(Settings& run, OutputPlaces& places, std::string_view o
 
 /// The mean speeds of every road, from which maps are drawn.
 fs::path write_edge_data(const fs::path& folder) {
-  const fs::path file = folder / "thalweg.add.xml";
+  fs::path file = folder / "thalweg.add.xml";
   xml::Writer writer(file, "written by thalweg");
   writer.open("additional");
   writer.open("edgeData")

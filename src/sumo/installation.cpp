@@ -29,7 +29,7 @@ fs::path environment_path(const char* name) {
 fs::path find_tool(const fs::path& home, const char* name) {
   std::error_code ignored;
   for (const fs::path& folder : {home / "bin", home / ".." / ".." / "bin"}) {
-    const fs::path tool = (folder / name).lexically_normal();
+    fs::path tool = (folder / name).lexically_normal();
     if (!home.empty() && fs::exists(tool, ignored)) return tool;
   }
   return boost::process::search_path(name).string();

@@ -179,18 +179,18 @@ class CompareFails(support.TestCase):
                 for child in (task / "children").read_text().split()]
 
     def wait_for(self, what):
-        for _ in range(600):
+        for _ in range(6000):
             if what():
                 return
             time.sleep(0.05)
-        self.fail("nothing happened for 30 s")
+        self.fail("nothing happened for 5 minutes")
 
     def simulating(self, folder):
         """SUMO writes tripinfos as vehicles arrive: once there are some, it is in the midst of it."""
         return any(file.stat().st_size > 4000 for file in folder.rglob("tripinfo.xml"))
 
     def end(self, process):
-        out, err = process.communicate(timeout=30)
+        out, err = process.communicate(timeout=300)
         with self.assertRaises(ProcessLookupError, msg="children are left"):
             os.killpg(process.pid, 0)
         return support.Result(process.returncode, out, err)

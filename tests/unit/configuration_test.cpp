@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sumo/configuration.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/input_error.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 std::string text_of(const std::vector<Setting>& settings) {
   std::string text;
-  for (const auto& [name, value] : settings) text += name + "=" + value + "\n";
+  for (const auto& [name, value] : settings) text += fmt::format("{}={}\n", name, value);
   return text;
 }
 

@@ -146,5 +146,42 @@ TEST(FirstForm, RunsRoundACycleUntilItIsStopped) {
   EXPECT_EQ(regions.order, vertices({0, 2, 1})) << "the bound by default is the number of vertices";
 }
 
+// The paper: O(4 E) for the optimised form. Here at most two table operations an arc, the source's own entry
+// (a read and a write) apart.
+TEST(Partition, TakesAtMostFourTableOperationsAnArc) {
+  Regions counted;
+  Regions plain;
+  PartitionOperations operations;
+  const VertexId source{0U};
+  std::uint64_t most = 0;
+  for (const InstanceType type : {InstanceType::mixed, InstanceType::simple, InstanceType::directed}) {
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+      const auto instance = random_instance(type, seed);
+      partition<Direction::forward>(instance.graph, {&source, 1}, counted, operations);
+      partition<Direction::forward>(instance.graph, {&source, 1}, plain);
+      ASSERT_EQ(counted.order, plain.order);
+      std::uint64_t reached_arcs = 0;
+      for (const VertexId v : plain.order) reached_arcs += instance.graph.out(v).size();
+      ASSERT_EQ(operations.table, reached_arcs + plain.order.size() + 1) << "seed " << seed;
+      ASSERT_LE(operations.table - 2, 4 * instance.graph.arc_count()) << "seed " << seed;
+      most = std::max(most, operations.table);
+    }
+  }
+  EXPECT_GT(most, 50U);
+}
+
+//   0 <-> 1 <-> 2      2 is compared with regions {1} and {0}; the rest is looked for in vain or found at
+//   once
+TEST(FirstForm, CountsItsComparisons) {
+  const auto instance = make_instance(3, {{0, 1}, {1, 0}, {1, 2}, {2, 1}});
+  Regions regions;
+  PartitionOperations operations;
+  EXPECT_TRUE(
+      partition_first_form<Direction::forward>(instance.graph, vertices({0}), regions, 0, &operations));
+  // 1 against {0}; 0 against {1}, {0}; 2 against {1}, {0}; 1 against {2}, {1}
+  EXPECT_EQ(operations.comparisons, 1U + 2U + 2U + 2U);
+  EXPECT_EQ(operations.table, 0U);
+}
+
 }  // namespace
 }  // namespace thalweg

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "core/error.hpp"
+#include "core/nearest.hpp"
+#include "lab/experiment.hpp"
+#include "xml/writer.hpp"
+
+namespace thalweg {
+namespace {
+
+void print_list() {
+  fmt::print("The paper's experiments, and the project's own:\n\n");
+  for (const auto& experiment : lab::experiments())
+    fmt::print("  {:<14} {}\n", experiment.name, experiment.summary);
+  fmt::print("\n'thalweg lab NAME' runs one, 'thalweg lab NAME --help' lists its parameters.\n");
+}
+
+Options options_of(const lab::Experiment& experiment) {
+  std::vector<OptionSpec> specs;
+  for (const auto& [name, type, default_value, help] : experiment.parameters)
+    specs.push_back({"experiment", name, 0, type, default_value, help});
+  specs.push_back({"input", "configuration-file", 'c', "FILE", "", "Parameters from a file"});
+  specs.push_back({"output", "output", 'o', "FILE", "", "The table as CSV"});
+  specs.push_back({"processing", "seed", 0, "INT", "23423", "All that is drawn comes from it"});
+  specs.push_back({"processing", "repetitions", 0, "INT", fmt::format("{}", experiment.repetitions),
+                   "Repetitions of what is drawn or timed"});
+  specs.push_back({"processing", "threads", 0, "INT",
+                   fmt::format("{}", std::max(1U, std::thread::hardware_concurrency())),
+                   "Changes how long it takes, not the result"});
+  return {"lab " + experiment.name, experiment.summary, std::move(specs)};
+}
+
+/// The file's settings, under the command line's. All must be this experiment's.
+void take_file(Options& options, const std::filesystem::path& file) {
+  std::vector<std::string> names;
+  for (const OptionSpec& spec : options.specs()) names.push_back(spec.name);
+  for (const Setting& setting : read_configuration(file)) {
+    const OptionSpec* spec = nullptr;
+    for (const OptionSpec& known : options.specs()) {
+      if (known.name == setting.name) spec = &known;
+    }
+    verify(spec != nullptr, fmt::format("{}: there is no parameter '{}'{}", file.string(), setting.name,
+                                        did_you_mean(setting.name, names)));
+    const bool paths = (spec->type == "FILE" || spec->name == "net-files") && !setting.value.empty();
+    options.take({setting.name, paths ? resolve_files(setting.value, file.parent_path()) : setting.value});
+  }
+}
+
+lab::Parameters parameters_of(const lab::Experiment& experiment, const Options& options) {
+  std::map<std::string, std::string, std::less<>> values;
+  for (const auto& parameter : experiment.parameters) {
+    values[parameter.name] = parameter.type == "BOOL" ? (options.flag(parameter.name) ? "true" : "false")
+                                                      : options.text(parameter.name);
+  }
+  return lab::Parameters(std::move(values));
+}
+
+std::string header_of(const lab::Experiment& experiment, const Options& options) {
+  std::string out = fmt::format("thalweg {} lab {}: seed {}, {} repetitions", THALWEG_VERSION,
+                                experiment.name, options.count("seed"), options.count("repetitions"));
+  for (const auto& parameter : experiment.parameters) {
+    if (!options.text(parameter.name).empty())
+      out += fmt::format(", {} {}", parameter.name, options.text(parameter.name));
+  }
+  return out;
+}
+
+int run_experiment(const lab::Experiment& experiment, std::span<const std::string> arguments) {
+  Options options = options_of(experiment);
+  options.parse(arguments);
+  if (!options.text("configuration-file").empty()) take_file(options, options.text("configuration-file"));
+  if (options.answered()) return 0;
+  verify(options.count("repetitions") >= 1, "--repetitions must be at least 1");
+  verify(options.count("threads") >= 1 && options.count("threads") <= 256, "--threads must be from 1 to 256");
+
+  fmt::print("{}\n\n", header_of(experiment, options));
+  std::fflush(stdout);
+  lab::Report report;
+  {
+    ProgressLine line;
+    std::mutex mutex;
+    auto last = std::chrono::steady_clock::now();
+    const auto progress = [&](std::string_view text) {
+      const std::scoped_lock lock(mutex);
+      const auto now = std::chrono::steady_clock::now();
+      if (now - last < std::chrono::milliseconds(200)) return;
+      last = now;
+      line.show(text);
+    };
+    report = experiment.run({.parameters = parameters_of(experiment, options),
+                             .seed = options.count("seed"),
+                             .repetitions = options.count("repetitions"),
+                             .threads = options.count("threads"),
+                             .progress = progress});
+  }
+  const std::string text = report.text();
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (!options.text("output").empty()) {
+    OutputFile output(options.text("output"));
+    output.write(report.csv());
+    output.commit();
+  }
+  return 0;
+}
+
+}  // namespace
+
+int lab_command(std::span<const std::string> arguments) {
+  if (arguments.empty() || arguments.front() == "--help" || arguments.front() == "-h" ||
+      arguments.front() == "-?") {
+    print_list();
+    return 0;
+  }
+  return run_experiment(lab::find_experiment(arguments.front()), arguments.subspan(1));
+}
+
+}  // namespace thalweg

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/time.hpp"
+#include "graph/digraph.hpp"
+
+namespace thalweg::lab {
+
+/// Boost.Graph's Dijkstra over Boost's own compressed rows: what the runtime experiment is held against.
+/// Nothing else uses it.
+class BoostDijkstra {
+ public:
+  BoostDijkstra(const Digraph& graph, std::span<const std::int32_t> costs);
+  BoostDijkstra(const BoostDijkstra&) = delete;
+  BoostDijkstra& operator=(const BoostDijkstra&) = delete;
+  ~BoostDijkstra();
+
+  /// Labels of all vertices; unreached ones have the greatest Millis.
+  const std::vector<Millis>& run(VertexId source);
+
+ private:
+  struct Graph;
+  std::unique_ptr<Graph> graph_;
+};
+
+}  // namespace thalweg::lab
