@@ -28,7 +28,7 @@ Options route_options() {
            {"output", "output-file", 'o', "FILE", "", "The vehicles with their routes"},
            {"output", "write-costs", 0, "BOOL", "false", "Writes the cost of each route [s]"},
            {"time", "begin", 'b', "TIME", "0", "The time whose weights are used"},
-           {"routing", "strategy", 0, "STR", "evolved", "hybrid, evolved or dijkstra"},
+           {"routing", "strategy", 0, "STR", "evolved", "hybrid, evolved, cch or dijkstra"},
            {"routing", "vclass", 0, "STR", "passenger", "The vehicle class"},
            {"routing", "weights.minor-penalty", 0, "TIME", seconds(penalties.minor),
             "Penalty for a turn that gives way"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cch/sweep.hpp"
 
+#include <algorithm>
+
 // The compiler vectorises the loop over the lanes once for each of these; the loader picks the best at start.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define THALWEG_CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
@@ -13,36 +15,32 @@ namespace {
 
 using Rank = CchTopology::Rank;
 
-/// labels[v][i] = min over the edges v -> head of up + labels[head][i], for every vertex from the highest down.
-/// Labels lie lane by lane, 16 a vertex.
-THALWEG_CLONES void sweep_down(const std::uint32_t* first, const Rank* heads, const std::uint32_t* up,
-                               std::uint32_t* labels, std::size_t vertices) {
+/// labels[v][i] = min over the edges v -> head of up + labels[head][i], for every vertex from the highest
+/// down. Labels lie lane by lane, 16 a vertex.
+template <class W>
+[[gnu::always_inline]] inline void sweep_lanes(const std::uint32_t* first, const Rank* heads, const W* up,
+                                               W* labels, std::size_t vertices) {
   for (std::size_t v = vertices; v-- > 0;) {
-    std::uint32_t* own = labels + v * 16;
+    W* own = labels + v * 16;
     for (std::uint32_t edge = first[v]; edge < first[v + 1]; ++edge) {
-      const std::uint32_t* other = labels + static_cast<std::size_t>(heads[edge]) * 16;
-      const std::uint32_t cost = up[edge];
+      const W* other = labels + static_cast<std::size_t>(heads[edge]) * 16;
+      const W cost = up[edge];
       for (int i = 0; i < 16; ++i) {
-        const std::uint32_t sum = other[i] + cost;
+        const W sum = other[i] + cost;
         own[i] = sum < own[i] ? sum : own[i];
       }
     }
   }
 }
 
+// One of each width, since a template cannot have clones.
+THALWEG_CLONES void sweep_down(const std::uint32_t* first, const Rank* heads, const std::uint32_t* up,
+                               std::uint32_t* labels, std::size_t vertices) {
+  sweep_lanes(first, heads, up, labels, vertices);
+}
 THALWEG_CLONES void sweep_down(const std::uint32_t* first, const Rank* heads, const std::uint64_t* up,
                                std::uint64_t* labels, std::size_t vertices) {
-  for (std::size_t v = vertices; v-- > 0;) {
-    std::uint64_t* own = labels + v * 16;
-    for (std::uint32_t edge = first[v]; edge < first[v + 1]; ++edge) {
-      const std::uint64_t* other = labels + static_cast<std::size_t>(heads[edge]) * 16;
-      const std::uint64_t cost = up[edge];
-      for (int i = 0; i < 16; ++i) {
-        const std::uint64_t sum = other[i] + cost;
-        own[i] = sum < own[i] ? sum : own[i];
-      }
-    }
-  }
+  sweep_lanes(first, heads, up, labels, vertices);
 }
 
 }  // namespace
@@ -80,7 +78,11 @@ void CchLazyCosts<W>::start(const CchTopology& topology, const CchMetric<W>& met
     final_.assign(topology.vertex_count(), 0);
     run_ = 0;
   }
-  ++run_;
+  if (++run_ == 0) {  // once in 2^32 destinations the stamps begin anew
+    reached_.assign(reached_.size(), 0);
+    final_.assign(final_.size(), 0);
+    run_ = 1;
+  }
   work_ = 0;
   Rank v = topology.rank(destination);
   labels_[v] = 0;
@@ -89,8 +91,8 @@ void CchLazyCosts<W>::start(const CchTopology& topology, const CchMetric<W>& met
     const W label = reached_[v] == run_ ? labels_[v] : cch_infinity<W>;
     for (auto edge = topology.first_edge(v); edge < topology.first_edge(v + 1); ++edge) {
       const Rank higher = topology.head(edge);
-      const W sum = label + metric.down[edge];
-      if (reached_[higher] == run_ && labels_[higher] <= sum) continue;
+      const W sum = label + metric.down[edge];  // does not wrap: labels are below infinity, costs at most it
+      if (sum >= (reached_[higher] == run_ ? labels_[higher] : cch_infinity<W>)) continue;
       labels_[higher] = sum;
       reached_[higher] = run_;
     }
@@ -116,7 +118,7 @@ W CchLazyCosts<W>::cost(const CchTopology& topology, const CchMetric<W>& metric,
       label = std::min<W>(label, labels_[topology.head(edge)] + metric.up[edge]);
     }
     work_ += topology.first_edge(v + 1) - topology.first_edge(v);
-    labels_[v] = std::min(label, cch_infinity<W>);
+    labels_[v] = label;
     reached_[v] = run_;
     final_[v] = run_;
   }

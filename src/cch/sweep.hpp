@@ -9,8 +9,9 @@
 
 namespace thalweg {
 
-/// Costs from every vertex to up to 16 destinations at once: upward from the destinations along the elimination
-/// tree, then one pass over all vertices from the highest rank down (PHAST, Delling et al. 2013). One a thread.
+/// Costs from every vertex to up to 16 destinations at once: upward from the destinations along the
+/// elimination tree, then one pass over all vertices from the highest rank down (PHAST, Delling et al. 2013).
+/// One a thread.
 template <CchWeight W>
 class CchSweep {
  public:
@@ -29,8 +30,9 @@ class CchSweep {
   std::vector<Lanes> labels_;  ///< by rank
 };
 
-/// Costs to one destination, each found when it is asked for: nothing beside the ancestors of the vertices asked
-/// for is touched (lazy RPHAST; Strasser and Zeitz 2021). For destinations that few vehicles share. One a thread.
+/// Costs to one destination, each found when it is asked for: nothing beside the ancestors of the vertices
+/// asked for is touched (lazy RPHAST; Strasser and Zeitz 2021). For destinations that few vehicles share. One
+/// a thread.
 template <CchWeight W>
 class CchLazyCosts {
  public:
@@ -40,10 +42,10 @@ class CchLazyCosts {
   [[nodiscard]] std::size_t work() const { return work_; }
 
  private:
-  std::vector<W> labels_;                  ///< by rank; valid where the stamp is the run's
-  std::vector<std::uint32_t> reached_;     ///< run in which the label was written
-  std::vector<std::uint32_t> final_;       ///< run in which the label became final
-  std::vector<CchTopology::Rank> chain_;   ///< scratch
+  std::vector<W> labels_;                 ///< by rank; valid where the stamp is the run's
+  std::vector<std::uint32_t> reached_;    ///< run in which the label was written
+  std::vector<std::uint32_t> final_;      ///< run in which the label became final
+  std::vector<CchTopology::Rank> chain_;  ///< scratch
   std::uint32_t run_ = 0;
   std::size_t work_ = 0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/parallel.hpp"
 #include "cch/sweep.hpp"
+#include "core/parallel.hpp"
+#include "graph/fingerprint.hpp"
 #include "routing/legs.hpp"
 #include "routing/list.hpp"
 #include "routing/next_hops.hpp"
@@ -8,8 +9,8 @@
 namespace thalweg {
 namespace {
 
-/// A sweep looks at every edge for 16 destinations at once; alone, a destination looks at those that its vehicles
-/// need, at this many times the price an edge (measured: bench/, docs/performance.md).
+/// A sweep looks at every edge for 16 destinations at once; alone, a destination looks at those that its
+/// vehicles need, at this many times the price an edge (measured: bench/, docs/performance.md).
 constexpr double price_of_lazy_edge = 3.0;
 
 /// The search of one worker with weights of one width.
@@ -26,7 +27,8 @@ class Searches {
     if (sweep_pays(topology, destinations_.size())) {
       sweep_.run(topology, metric, destinations_);
       for (std::size_t i = 0; i < destinations_.size(); ++i) {
-        walk(seen, legs.group(first_group + i), [&](VertexId v) { return to_millis(sweep_.cost(topology, v, i)); });
+        walk(seen, legs.group(first_group + i),
+             [&](VertexId v) { return to_millis(sweep_.cost(topology, v, i)); });
       }
       return;
     }
@@ -39,10 +41,13 @@ class Searches {
   }
 
  private:
-  static Millis to_millis(W label) { return label >= cch_infinity<W> ? infinity : static_cast<Millis>(label); }
+  static Millis to_millis(W label) {
+    return label >= cch_infinity<W> ? infinity : static_cast<Millis>(label);
+  }
 
   [[nodiscard]] bool sweep_pays(const CchTopology& topology, std::size_t destinations) const {
-    return static_cast<double>(destinations) * work_ * price_of_lazy_edge > static_cast<double>(topology.edge_count());
+    return static_cast<double>(destinations) * work_ * price_of_lazy_edge >
+           static_cast<double>(topology.edge_count());
   }
 
   template <class Label>
@@ -60,8 +65,8 @@ class Searches {
   double work_ = 500;  ///< edges that a lone destination takes, as seen lately
 };
 
-/// Exact ways by a customizable contraction hierarchy: the order once for a class, the metric whenever the costs
-/// are new, then sweeps for 16 destinations at a time.
+/// Exact ways by a customizable contraction hierarchy: the order once for a class, the metric whenever the
+/// costs are new, then sweeps for 16 destinations at a time.
 class CchStrategy : public Strategy {
  public:
   explicit CchStrategy(const StrategyOptions& options)
@@ -72,7 +77,8 @@ class CchStrategy : public Strategy {
     legs_.collect(due);
     plan_batches();
     hierarchies_.resize(traffic.size());
-    for (const Batch& batch : batches_) refresh(traffic[batch.vehicle_class], hierarchies_[batch.vehicle_class]);
+    for (const Batch& batch : batches_)
+      refresh(traffic[batch.vehicle_class], hierarchies_[batch.vehicle_class]);
     parallel_for(batches_.size(), narrow_.size(), [&](std::size_t i, std::size_t worker) {
       const Batch& batch = batches_[i];
       const Hierarchy& own = hierarchies_[batch.vehicle_class];
@@ -88,7 +94,7 @@ class CchStrategy : public Strategy {
 
  private:
   struct Hierarchy {
-    const RoadGraph* graph = nullptr;
+    std::uint64_t graph = 0;  ///< its fingerprint: another one may come to stand at the same address
     std::unique_ptr<CchTopology> topology;
     bool is_narrow = true;
     CchMetric<std::uint32_t> narrow;
@@ -113,17 +119,19 @@ class CchStrategy : public Strategy {
     }
   }
 
-  static void refresh(const ClassTraffic& seen, Hierarchy& own) {
+  void refresh(const ClassTraffic& seen, Hierarchy& own) const {
     const Digraph& turns = seen.graph->turns();
-    if (own.graph == seen.graph && own.costs == seen.turn_costs) return;
-    if (own.graph != seen.graph) own.topology = std::make_unique<CchTopology>(turns, nested_dissection(turns));
-    own.graph = seen.graph;
+    const std::uint64_t graph = fingerprint(turns);
+    const bool same_graph = own.topology && own.graph == graph;
+    if (same_graph && own.costs == seen.turn_costs) return;
+    if (!same_graph) own.topology = std::make_unique<CchTopology>(turns, nested_dissection(turns));
+    own.graph = graph;
     own.costs = seen.turn_costs;
     own.is_narrow = fits_32_bits(turns, seen.turn_costs);
     if (own.is_narrow) {
-      own.narrow.customise(*own.topology, seen.turn_costs);
+      own.narrow.customise(*own.topology, seen.turn_costs, narrow_.size());
     } else {
-      own.wide.customise(*own.topology, seen.turn_costs);
+      own.wide.customise(*own.topology, seen.turn_costs, narrow_.size());
     }
   }
 
@@ -137,6 +145,8 @@ class CchStrategy : public Strategy {
 
 }  // namespace
 
-std::unique_ptr<Strategy> make_cch(const StrategyOptions& options) { return std::make_unique<CchStrategy>(options); }
+std::unique_ptr<Strategy> make_cch(const StrategyOptions& options) {
+  return std::make_unique<CchStrategy>(options);
+}
 
 }  // namespace thalweg

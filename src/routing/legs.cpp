@@ -7,8 +7,8 @@
 namespace thalweg {
 namespace {
 
-void join(const ClassTraffic& seen, const Traveller& traveller, std::span<const Leg> legs, const ChoiceRule& rule,
-          Decision& decision) {
+void join(const ClassTraffic& seen, const Traveller& traveller, std::span<const Leg> legs,
+          const ChoiceRule& rule, Decision& decision) {
   decision.old_cost = route_cost(seen, traveller.route);
   decision.new_cost = infinity;
   if (legs.empty()) return;
@@ -50,8 +50,8 @@ void Legs::collect(std::span<const Traveller> due) {
   first_.push_back(legs_.size());
 }
 
-void Legs::decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due, const ChoiceRule& rule,
-                  std::vector<Decision>& decisions) {
+void Legs::decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
+                  const ChoiceRule& rule, std::vector<Decision>& decisions) {
   std::sort(legs_.begin(), legs_.end(), [](const Leg& a, const Leg& b) {
     return std::tie(a.traveller, a.number) < std::tie(b.traveller, b.number);
   });
@@ -60,7 +60,8 @@ void Legs::decide(std::span<const ClassTraffic> traffic, std::span<const Travell
   for (std::size_t i = 0; i < due.size(); ++i) {
     const std::size_t first = leg;
     while (leg < legs_.size() && legs_[leg].traveller == i) ++leg;
-    join(traffic[due[i].vehicle_class], due[i], std::span(legs_).subspan(first, leg - first), rule, decisions[i]);
+    join(traffic[due[i].vehicle_class], due[i], std::span(legs_).subspan(first, leg - first), rule,
+         decisions[i]);
   }
 }
 

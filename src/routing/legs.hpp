@@ -14,9 +14,9 @@ struct Leg {
   VertexId destination;
   VertexId origin;
   std::size_t traveller;
-  std::size_t number;              ///< among the traveller's legs
-  Millis cost = infinity;          ///< found: to the destination, its own road excluded
-  std::vector<VertexId> roads{};   ///< found: after `origin`, up to the destination
+  std::size_t number;             ///< among the traveller's legs
+  Millis cost = infinity;         ///< found: to the destination, its own road excluded
+  std::vector<VertexId> roads{};  ///< found: after `origin`, up to the destination
 };
 
 /// The legs of a batch, those of one class and destination together, and where each such group starts.

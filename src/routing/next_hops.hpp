@@ -9,10 +9,10 @@
 
 namespace thalweg {
 
-/// Walks from `from` to `to` along arcs that lose as much as they cost: `label(v)` is the exact cost from v to `to`.
-/// Arcs of no cost are the only ones that could lead in a circle; a plateau of them is crossed by a breadth-first
-/// search to the nearest vertex that has a way down. The vertices after `from` are added to `roads`.
-/// Precondition: label(from) < infinity. Ties fall to the first arc of a vertex.
+/// Walks from `from` to `to` along arcs that lose as much as they cost: `label(v)` is the exact cost from v
+/// to `to`. Arcs of no cost are the only ones that could lead in a circle; a plateau of them is crossed by a
+/// breadth-first search to the nearest vertex that has a way down. The vertices after `from` are added to
+/// `roads`. Precondition: label(from) < infinity. Ties fall to the first arc of a vertex.
 template <class Label>
 void walk_next_hops(const Digraph& graph, const std::vector<Millis>& costs, VertexId from, VertexId to,
                     const Label& label, std::vector<VertexId>& roads) {

@@ -9,16 +9,17 @@
 
 namespace thalweg {
 
-/// Decides by the paper's service trees: one backward tree from a destination serves every vehicle of the batch
-/// that goes there. A way through waypoints is a leg from each to the next, and each leg a member of the tree of
-/// its end. `Search` is the algorithm that grows a tree:
+/// Decides by the paper's service trees: one backward tree from a destination serves every vehicle of the
+/// batch that goes there. A way through waypoints is a leg from each to the next, and each leg a member of
+/// the tree of its end. `Search` is the algorithm that grows a tree:
 ///     void operator()(const Digraph&, const std::vector<Millis>& costs, VertexId destination,
 ///                     std::span<const VertexId> origins, Tree& out)
 /// exact or not; it is default-constructible search state, one a thread.
 template <class Search>
 class ServiceTreeStrategy : public Strategy {
  public:
-  explicit ServiceTreeStrategy(const StrategyOptions& options) : rule_(options.rule), scratch_(std::max<std::size_t>(1, options.threads)) {}
+  explicit ServiceTreeStrategy(const StrategyOptions& options)
+      : rule_(options.rule), scratch_(std::max<std::size_t>(1, options.threads)) {}
 
   void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
               std::vector<Decision>& decisions) override {

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t cities = 100;
 constexpr ChoiceRule any_gain{.relative = 0, .spread = 0, .absolute = 0};
 /// Those that find the way of least cost; the others may be above it.
-constexpr std::array<std::string_view, 2> exact_strategies{"evolved", "dijkstra"};
+constexpr std::array<std::string_view, 3> exact_strategies{"evolved", "cch", "dijkstra"};
 
 bool is_exact(std::string_view name) {
   return std::find(exact_strategies.begin(), exact_strategies.end(), name) != exact_strategies.end();
@@ -396,7 +396,8 @@ TEST(Strategies, TheExactOnesAreThere) {
 TEST(Strategies, AnUnknownNameIsAnErrorWithTheNearest) {
   const std::string message = input_error([] { make_strategy("evolve", {}); });
   EXPECT_EQ(message,
-            "there is no strategy 'evolve' (did you mean 'evolved'?); there are: hybrid, evolved, dijkstra");
+            "there is no strategy 'evolve' (did you mean 'evolved'?); there are: hybrid, evolved, cch, "
+            "dijkstra");
 }
 
 TEST(ChoiceRule, BeforeDepartureTheRelativeGainIsLeftOut) {
