@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <limits>
@@ -20,6 +21,12 @@ concept CchWeight = std::same_as<W, std::uint32_t> || std::same_as<W, std::uint6
 /// `infinity` or more, so that sums of Millis saturate alike.
 template <CchWeight W>
 inline constexpr W cch_infinity = std::numeric_limits<W>::max() / 2;
+
+/// A label as a cost.
+template <CchWeight W>
+constexpr Millis from_label(W label) {
+  return label >= std::min<std::uint64_t>(cch_infinity<W>, infinity) ? infinity : static_cast<Millis>(label);
+}
 
 /// The costs of every edge of the completion, customised from turn costs: after that the costs upward and
 /// downward are shortest among all ways over lower ranks. Replaced as a whole each round; storage is kept.

@@ -28,20 +28,20 @@ class Searches {
       sweep_.run(topology, metric, destinations_);
       for (std::size_t i = 0; i < destinations_.size(); ++i) {
         walk(seen, legs.group(first_group + i),
-             [&](VertexId v) { return to_millis(sweep_.cost(topology, v, i)); });
+             [&](VertexId v) { return from_label(sweep_.cost(topology, v, i)); });
       }
       return;
     }
     for (std::size_t i = 0; i < destinations_.size(); ++i) {
       lazy_.start(topology, metric, destinations_[i]);
       walk(seen, legs.group(first_group + i),
-           [&](VertexId v) { return to_millis(lazy_.cost(topology, metric, v)); });
+           [&](VertexId v) { return from_label(lazy_.cost(topology, metric, v)); });
       work_ += (static_cast<double>(lazy_.work()) - work_) / 16;
     }
   }
 
  private:
-  static Millis to_millis(W label) {
+  static Millis from_label(W label) {
     return label >= cch_infinity<W> ? infinity : static_cast<Millis>(label);
   }
 
