@@ -76,20 +76,6 @@ void CchMetric<W>::customise(const CchTopology& topology, const std::vector<Mill
   for (const Rank x : top_) relax_row(topology, x, Part::top, slots_.front());
 }
 
-bool fits_32_bits(const Digraph& graph, const std::vector<Millis>& costs) {
-  constexpr auto limit = static_cast<Millis>(cch_infinity<std::uint32_t>);
-  Millis sum = 0;
-  for (std::size_t v = 0; v < graph.vertex_count(); ++v) {
-    Millis most = 0;
-    for (const Arc& arc : graph.out(VertexId{v})) {
-      if (costs[arc.id.value] < infinity) most = std::max(most, costs[arc.id.value]);
-    }
-    sum = add_saturating(sum, most);
-    if (sum >= limit) return false;
-  }
-  return true;
-}
-
 template class CchMetric<std::uint32_t>;
 template class CchMetric<std::uint64_t>;
 

@@ -52,9 +52,6 @@ class CchMetric {
   std::vector<CchTopology::Rank> top_;  ///< scratch: ranks outside the subtrees
 };
 
-/// No simple path costs as much as 32 bits hold: it leaves each vertex at most once.
-bool fits_32_bits(const Digraph& graph, const std::vector<Millis>& costs);
-
 extern template class CchMetric<std::uint32_t>;
 extern template class CchMetric<std::uint64_t>;
 

@@ -83,7 +83,6 @@ void CchLazyCosts<W>::start(const CchTopology& topology, const CchMetric<W>& met
     final_.assign(final_.size(), 0);
     run_ = 1;
   }
-  work_ = 0;
   Rank v = topology.rank(destination);
   labels_[v] = 0;
   reached_[v] = run_;
@@ -96,7 +95,6 @@ void CchLazyCosts<W>::start(const CchTopology& topology, const CchMetric<W>& met
       labels_[higher] = sum;
       reached_[higher] = run_;
     }
-    work_ += topology.first_edge(v + 1) - topology.first_edge(v);
     if (topology.parent(v) == v) break;
     v = topology.parent(v);
   }
@@ -117,7 +115,6 @@ W CchLazyCosts<W>::cost(const CchTopology& topology, const CchMetric<W>& metric,
     for (auto edge = topology.first_edge(v); edge < topology.first_edge(v + 1); ++edge) {
       label = std::min<W>(label, labels_[topology.head(edge)] + metric.up[edge]);
     }
-    work_ += topology.first_edge(v + 1) - topology.first_edge(v);
     labels_[v] = label;
     reached_[v] = run_;
     final_[v] = run_;

@@ -38,8 +38,6 @@ class CchLazyCosts {
  public:
   void start(const CchTopology& topology, const CchMetric<W>& metric, VertexId destination);
   W cost(const CchTopology& topology, const CchMetric<W>& metric, VertexId from);
-  /// Edges looked at since the start: what this destination has cost.
-  [[nodiscard]] std::size_t work() const { return work_; }
 
  private:
   std::vector<W> labels_;                 ///< by rank; valid where the stamp is the run's
@@ -47,7 +45,6 @@ class CchLazyCosts {
   std::vector<std::uint32_t> final_;      ///< run in which the label became final
   std::vector<CchTopology::Rank> chain_;  ///< scratch
   std::uint32_t run_ = 0;
-  std::size_t work_ = 0;
 };
 
 extern template class CchSweep<std::uint32_t>;

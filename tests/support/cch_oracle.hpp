@@ -9,6 +9,7 @@
 
 #include "cch/metric.hpp"
 #include "cch/sweep.hpp"
+#include "cch/width.hpp"
 #include "routing/next_hops.hpp"
 #include "search/dijkstra.hpp"
 #include "support/random_graph.hpp"

@@ -155,6 +155,32 @@ TEST(Cch, SumsThatFillTheWidthAreExact) {
   check(infinity, true);  // closed
 }
 
+//     0 <-> 1 <-> 2 <-> ..      a long chain: all its arcs together are too much for 32 bits, no way along it
+//     is
+TEST(Cch, AWidthThatShortestWaysNeedIsSeenInTheMetric) {
+  std::vector<ArcEnds> arcs;
+  for (std::size_t v = 0; v + 1 < 100; ++v) {
+    arcs.push_back({.tail = VertexId{v}, .head = VertexId{v + 1}});
+    arcs.push_back({.tail = VertexId{v + 1}, .head = VertexId{v}});
+    arcs.push_back({.tail = VertexId{v}, .head = VertexId{v + 1}});  // nobody would take it
+  }
+  Instance instance{.graph = Digraph(100, arcs), .costs = std::vector<Millis>(arcs.size(), 1'000)};
+  for (std::size_t i = 2; i < arcs.size(); i += 3) instance.costs[i] = limit32 / 10;
+  const CchTopology topology = topology_of(instance.graph);
+  const auto fits = [&] {
+    CchMetric<W32> metric;
+    metric.customise(topology, instance.costs);
+    return fits_32_bits(instance.graph, instance.costs, topology, metric);
+  };
+  EXPECT_FALSE(fits_32_bits(instance.graph, instance.costs));
+  EXPECT_TRUE(fits());
+  CchOracle<W32>().check(topology, instance, every_vertex(instance.graph), every_vertex(instance.graph));
+  instance.costs[0] = limit32 + 7;  // from 0 to 1 by the other one
+  EXPECT_TRUE(fits());
+  instance.costs[2] = limit32 - 1;  // and now not at all within 32 bits
+  EXPECT_FALSE(fits());
+}
+
 TEST(Cch, WhatIsTooFarFor32BitsIsNeverNear) {
   for (const Millis cost : {limit32 / 2, limit32 - 1, limit32, limit32 + 5, 4 * limit32 + 1, infinity - 1}) {
     const Instance instance = chain(cost);
