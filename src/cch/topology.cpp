@@ -99,4 +99,16 @@ void CchTopology::place_arcs(const Digraph& graph) {
   }
 }
 
+double mean_climb(const CchTopology& topology) {
+  std::vector<double> climb(topology.vertex_count());
+  double sum = 0;
+  for (std::size_t v = climb.size(); v-- > 0;) {
+    const auto rank = static_cast<CchTopology::Rank>(v);
+    const auto parent = topology.parent(rank);
+    climb[v] = static_cast<double>(topology.heads(rank).size()) + (parent == rank ? 0 : climb[parent]);
+    sum += climb[v];
+  }
+  return sum / std::max(1.0, static_cast<double>(climb.size()));
+}
+
 }  // namespace thalweg

@@ -82,4 +82,8 @@ class CchTopology {
   std::uint64_t triangle_count_ = 0;
 };
 
+/// Edges that rise from a vertex and its ancestors in the elimination tree: mean over all vertices. What a
+/// search for one cost looks at from each end.
+double mean_climb(const CchTopology& topology);
+
 }  // namespace thalweg

@@ -2,6 +2,7 @@
 #include "routing/cch_engine.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cch/width.hpp"
@@ -22,19 +23,6 @@ void walk(const Digraph& graph, const std::vector<Millis>& costs, std::span<Leg>
   }
 }
 
-/// Edges from a vertex's ancestors in the elimination tree, its own included: mean over all vertices.
-double mean_climb(const CchTopology& topology) {
-  std::vector<double> climb(topology.vertex_count());
-  double sum = 0;
-  for (std::size_t v = climb.size(); v-- > 0;) {
-    const auto rank = static_cast<CchTopology::Rank>(v);
-    const auto parent = topology.parent(rank);
-    climb[v] = static_cast<double>(topology.heads(rank).size()) + (parent == rank ? 0 : climb[parent]);
-    sum += climb[v];
-  }
-  return sum / std::max(1.0, static_cast<double>(climb.size()));
-}
-
 }  // namespace
 
 CchEngine::CchEngine(std::size_t threads, OrderCache cache)
@@ -50,7 +38,8 @@ void CchEngine::serve(const Digraph& graph, const std::vector<Millis>& costs, Le
     topology_.reset();
     is_customised_ = false;
   }
-  if (forced.value_or(pick(graph, costs, last - first)) == CchMethod::trees) {
+  const CchMethod method = forced ? *forced : pick(graph, costs, legs, first, last);
+  if (method == CchMethod::trees) {
     grow_trees(graph, costs, legs, first, last);
     return;
   }
@@ -61,33 +50,50 @@ void CchEngine::serve(const Digraph& graph, const std::vector<Millis>& costs, Le
     const Batch batch{.first = first + i * width, .last = std::min(last, first + (i + 1) * width)};
     Worker& worker = workers_[number];
     if (is_narrow_) {
-      serve_batch(graph, narrow_, worker.sweep32, worker.lazy32, worker.ends, legs, batch);
+      serve_batch(method, graph, narrow_, worker.sweep32, worker.lazy32, worker.ends, legs, batch);
     } else {
-      serve_batch(graph, wide_, worker.sweep64, worker.lazy64, worker.ends, legs, batch);
+      serve_batch(method, graph, wide_, worker.sweep64, worker.lazy64, worker.ends, legs, batch);
     }
   });
 }
 
-CchMethod CchEngine::pick(const Digraph& graph, const std::vector<Millis>& costs, std::size_t groups) {
+double CchEngine::sweep_price() const {
+  return prices_.swept_edge * static_cast<double>(topology_->edge_count());
+}
+
+double CchEngine::lone_price(Legs& legs, Batch batch) const {
+  double sum = 0;
+  for (std::size_t g = batch.first; g < batch.last; ++g)
+    sum += std::sqrt(static_cast<double>(legs.group(g).size()));
+  return sum * prices_.climbed_edge * climb_;
+}
+
+CchMethod CchEngine::pick(const Digraph& graph, const std::vector<Millis>& costs, Legs& legs,
+                          std::size_t first, std::size_t last) {
   const auto vertices = static_cast<double>(graph.vertex_count());
-  const double trees = static_cast<double>(groups) * vertices * prices_.tree_vertex;
+  double trees = 0;
+  for (std::size_t g = first; g < last; ++g) {
+    const auto size = static_cast<double>(legs.group(g).size());
+    trees += prices_.tree_vertex * vertices * size / (size + 1);
+  }
   if (!topology_) {  // trees are rented as long as the rent is below the price of the house
     spent_on_trees_ += trees;
     return spent_on_trees_ < vertices * prices_.built_vertex ? CchMethod::trees : CchMethod::hierarchy;
   }
-  const auto batches = static_cast<double>((groups + width - 1) / width);
-  double hierarchy = batches * prices_.swept_edge * static_cast<double>(topology_->edge_count());
-  const double alone = static_cast<double>(groups) * prices_.lazy_edge * lone_edges_;
-  hierarchy = std::min(hierarchy, alone);
+  double hierarchy = 0;
+  for (std::size_t g = first; g < last; g += width) {
+    hierarchy += std::min(sweep_price(), lone_price(legs, {.first = g, .last = std::min(last, g + width)}));
+  }
   if (!is_customised_ || costs_ != costs) {
-    hierarchy += prices_.triangle * static_cast<double>(topology_->triangle_count());
+    hierarchy += prices_.triangle * static_cast<double>(topology_->triangle_count()) +
+                 prices_.customised_edge * static_cast<double>(topology_->edge_count());
   }
   return trees < hierarchy ? CchMethod::trees : CchMethod::hierarchy;
 }
 
 void CchEngine::build(const Digraph& graph) {
   topology_ = std::make_unique<CchTopology>(graph, cached_dissection(graph, graph_, cache_));
-  lone_edges_ = mean_climb(*topology_);
+  climb_ = mean_climb(*topology_);
 }
 
 void CchEngine::customise(const Digraph& graph, const std::vector<Millis>& costs) {
@@ -113,14 +119,14 @@ void CchEngine::grow_trees(const Digraph& graph, const std::vector<Millis>& cost
 }
 
 template <CchWeight W>
-void CchEngine::serve_batch(const Digraph& graph, const CchMetric<W>& metric, CchSweep<W>& sweep,
-                            CchLazyCosts<W>& lazy, std::vector<VertexId>& ends, Legs& legs,
-                            Batch batch) const {
+void CchEngine::serve_batch(CchMethod method, const Digraph& graph, const CchMetric<W>& metric,
+                            CchSweep<W>& sweep, CchLazyCosts<W>& lazy, std::vector<VertexId>& ends,
+                            Legs& legs, Batch batch) const {
   const CchTopology& topology = *topology_;
   ends.clear();
   for (std::size_t g = batch.first; g < batch.last; ++g) ends.push_back(legs.group(g).front().destination);
-  const double swept = prices_.swept_edge * static_cast<double>(topology.edge_count());
-  if (static_cast<double>(ends.size()) * prices_.lazy_edge * lone_edges_ < swept) {
+  if (method == CchMethod::lone_searches ||
+      (method == CchMethod::hierarchy && lone_price(legs, batch) < sweep_price())) {
     for (std::size_t i = 0; i < ends.size(); ++i) {
       lazy.start(topology, metric, ends[i]);
       walk(graph, costs_, legs.group(batch.first + i),

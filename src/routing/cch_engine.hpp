@@ -14,16 +14,22 @@
 namespace thalweg {
 
 /// How a batch is served.
-enum class CchMethod : std::uint8_t { trees, hierarchy };
+enum class CchMethod : std::uint8_t {
+  trees,          ///< Dijkstra's, one a destination
+  hierarchy,      ///< either of the following, by price
+  sweeps,         ///< of the hierarchy, one for 16 destinations
+  lone_searches,  ///< in the hierarchy, one a destination
+};
 
-/// What the parts of a round take, in ns: measured (docs/performance.md), and used to pick between methods
-/// only.
+/// What the parts of a round take, in ns of CPU: measured on a city and on a grid (docs/performance.md), and
+/// used to pick between methods only.
 struct CchPrices {
-  double triangle = 1.5;         ///< of a customisation
-  double swept_edge = 4.0;       ///< for up to 16 destinations
-  double lazy_edge = 3.0;        ///< for one destination
-  double tree_vertex = 90.0;     ///< of a graph, by a Dijkstra tree that ends when its origins are met
-  double built_vertex = 25'000;  ///< of a graph: its order and completion
+  double triangle = 1.2;        ///< of a customisation
+  double customised_edge = 12;  ///< of the completion
+  double swept_edge = 2.5;      ///< of the completion, for up to 16 destinations
+  double climbed_edge = 7;      ///< of `mean_climb`, times the root of a lone destination's legs
+  double tree_vertex = 110;     ///< of the graph, by Dijkstra's tree to many origins; half of it to one
+  double built_vertex = 3'500;  ///< of the graph: its order and completion
 };
 
 /// Exact ways on one graph for batches of legs, whatever their costs: by a customizable contraction
@@ -56,13 +62,16 @@ class CchEngine {
     std::size_t last;
   };
 
-  [[nodiscard]] CchMethod pick(const Digraph& graph, const std::vector<Millis>& costs, std::size_t groups);
+  [[nodiscard]] CchMethod pick(const Digraph& graph, const std::vector<Millis>& costs, Legs& legs,
+                               std::size_t first, std::size_t last);
+  [[nodiscard]] double sweep_price() const;
+  [[nodiscard]] double lone_price(Legs& legs, Batch batch) const;
   void build(const Digraph& graph);
   void customise(const Digraph& graph, const std::vector<Millis>& costs);
   void grow_trees(const Digraph& graph, const std::vector<Millis>& costs, Legs& legs, std::size_t first,
                   std::size_t last);
   template <CchWeight W>
-  void serve_batch(const Digraph& graph, const CchMetric<W>& metric, CchSweep<W>& sweep,
+  void serve_batch(CchMethod method, const Digraph& graph, const CchMetric<W>& metric, CchSweep<W>& sweep,
                    CchLazyCosts<W>& lazy, std::vector<VertexId>& ends, Legs& legs, Batch batch) const;
 
   CchPrices prices_;
@@ -71,7 +80,7 @@ class CchEngine {
   std::uint64_t graph_ = 0;    ///< its fingerprint: another graph may come to stand at the same address
   double spent_on_trees_ = 0;  ///< ns, since the graph is known
   std::unique_ptr<CchTopology> topology_;
-  double lone_edges_ = 0;  ///< that a leg of a lone destination looks at, about
+  double climb_ = 0;  ///< mean_climb
   bool is_customised_ = false;
   bool is_narrow_ = true;
   CchMetric<std::uint32_t> narrow_;
