@@ -19,7 +19,10 @@ foreach(candidate IN LISTS candidates)
     PATHS ${candidate}/lib64 ${candidate}/lib ${candidate}/lib/${CMAKE_LIBRARY_ARCHITECTURE} NO_DEFAULT_PATH NO_CACHE)
   find_path(sumo_home NAMES data/xsd/net_file.xsd
     PATHS ${candidate} ${candidate}/share/sumo NO_DEFAULT_PATH NO_CACHE)
-  if(sumo_include AND sumo_library AND sumo_home)
+  if(NOT sumo_home)  # Debian keeps it in another package, sumo-tools: all works without it
+    set(sumo_home "")
+  endif()
+  if(sumo_include AND sumo_library)
     add_library(thalweg_libsumo SHARED IMPORTED)
     set_target_properties(thalweg_libsumo PROPERTIES
       IMPORTED_LOCATION ${sumo_library} INTERFACE_INCLUDE_DIRECTORIES "${sumo_include};${sumo_include}/libsumo")

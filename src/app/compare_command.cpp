@@ -2,20 +2,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <boost/process.hpp>
 #include <mutex>
-#include <thread>
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
 #include "app/project.hpp"
+#include "app/routing_options.hpp"
+#include "app/start.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
+#include "core/parallel.hpp"
+#include "demand/additional.hpp"
 #include "report/comparison.hpp"
 #include "report/table.hpp"
 #include "simulation/arm.hpp"
 #include "simulation/sumo_module.hpp"
+#include "sumo/program.hpp"
 
 namespace thalweg {
 namespace {
@@ -56,6 +59,25 @@ bool has_twins(std::vector<T> values) {
   return std::adjacent_find(values.begin(), values.end()) != values.end();
 }
 
+/// What follows "--", with the outputs in the run's own folder: the runs would overwrite each other's.
+std::vector<std::string> for_sumo(const Options& options, const SumoOptions& catalogue,
+                                  const fs::path& folder) {
+  OutputPlaces places(folder, "");
+  std::vector<std::string> arguments = options.for_sumo();
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const auto* option = catalogue.find_argument(arguments[i]);
+    if (option == nullptr || !SumoOptions::is_output(option->first, option->second)) continue;
+    const auto equals = arguments[i].find('=');
+    if (equals != std::string::npos) {
+      arguments[i].replace(equals + 1, std::string::npos,
+                           places.place(std::string_view(arguments[i]).substr(equals + 1), folder));
+    } else if (i + 1 < arguments.size()) {
+      arguments[i + 1] = places.place(arguments[i + 1], folder);
+    }
+  }
+  return arguments;
+}
+
 /// The call of `thalweg run` for one arm and seed: what the command line says, and where the prepared demand
 /// is.
 std::vector<std::string> child_arguments(const Options& options, const Project& project,
@@ -70,7 +92,8 @@ std::vector<std::string> child_arguments(const Options& options, const Project& 
     arguments.push_back(fmt::format("--{}={}", spec.name, options.text(spec.name)));
   }
   if (!options.for_sumo().empty()) arguments.emplace_back("--");
-  arguments.insert(arguments.end(), options.for_sumo().begin(), options.for_sumo().end());
+  for (auto& argument : for_sumo(options, project.catalogue, folder))
+    arguments.push_back(std::move(argument));
   return arguments;
 }
 
@@ -108,29 +131,21 @@ RunSummary run_job(const Job& job, const std::string& arm) {
 std::vector<RunSummary> run_jobs(const std::vector<Job>& jobs, const std::vector<std::string>& arms,
                                  std::size_t workers) {
   std::vector<RunSummary> results(jobs.size());
-  std::atomic<std::size_t> next{0};
   std::size_t done = 0;
   std::mutex mutex;
   ProgressLine progress;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < jobs.size() && !stop_requested; i = next++) {
-      try {
-        results[i] = run_job(jobs[i], arms[jobs[i].arm]);
-      } catch (const std::exception& error) {  // out of a thread it would end the program
-        results[i].arm = arms[jobs[i].arm];
-        results[i].seed = jobs[i].seed;
-        results[i].exit = 1;
-        results[i].error = error.what();
-      }
-      const std::scoped_lock lock(mutex);
-      progress.show(fmt::format("{} of {} runs done, the last: {}, seed {}", ++done, jobs.size(),
-                                arms[jobs[i].arm], jobs[i].seed));
+  parallel_for(jobs.size(), workers, [&](std::size_t i, std::size_t) {
+    if (stop_requested) return;
+    const std::string& arm = arms[jobs[i].arm];
+    try {
+      results[i] = run_job(jobs[i], arm);
+    } catch (const std::exception& error) {  // one run's failure does not end the others
+      results[i] = {.arm = arm, .seed = jobs[i].seed, .exit = 1, .error = error.what()};
     }
-  };
-  std::vector<std::jthread> others;
-  for (std::size_t i = 1; i < std::min(workers, jobs.size()); ++i) others.emplace_back(work);
-  work();
-  others.clear();  // joins
+    const std::scoped_lock lock(mutex);
+    progress.show(
+        fmt::format("{} of {} runs done, the last: {}, seed {}", ++done, jobs.size(), arm, jobs[i].seed));
+  });
   return results;
 }
 
@@ -159,8 +174,7 @@ Options compare_options() {
 
 int compare_command(std::span<const std::string> arguments) {
   Options options = compare_options();
-  options.parse(arguments);
-  if (options.answered()) return 0;
+  if (!start(options, arguments, OwnConfiguration::no)) return 0;
   catch_interrupts();
   Comparison comparison;
   std::uint64_t jobs_at_a_time = 1;
@@ -174,10 +188,12 @@ int compare_command(std::span<const std::string> arguments) {
     verify(!names.empty(), "--arms names no arm");
     verify(!has_twins(names), "--arms names an arm twice");
     for (const auto& name : names) comparison.arms.push_back({.name = parse_arm(name, catalogue).name});
+    static_cast<void>(control_options(options));
+    static_cast<void>(strategy_options(options));
   });
   comparison.thalweg = THALWEG_VERSION;
   comparison.sumo = sumo_library_version();
-  comparison.configuration = options.text("configuration-file");
+  comparison.configuration = project.name;
   comparison.command = command_line(arguments);
 
   std::vector<Job> jobs;  // seed by seed, so that an early end leaves whole seeds

@@ -5,10 +5,12 @@
 #include <cstdlib>
 
 #include "app/commands.hpp"
+#include "app/start.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
 #include "simulation/sumo_module.hpp"
 #include "sumo/installation.hpp"
+#include "sumo/program.hpp"
 
 namespace thalweg {
 namespace {
@@ -42,21 +44,22 @@ std::string version_of(const fs::path& tool) {
 
 int doctor_command(std::span<const std::string> arguments) {
   Options options("doctor", "which SUMO is used, and what is missing", {});
-  options.parse(arguments);
-  if (options.answered()) return 0;
+  if (!start(options, arguments, OwnConfiguration::no)) return 0;
   constexpr std::string_view mend = "run tools/setup, then tools/build (or give cmake -DSUMO_ROOT=...)";
   const SumoInstallation sumo = find_sumo();
   prepare_environment(sumo);
   bool complete = true;
   fmt::print("{:<16} {}\n", "thalweg", THALWEG_VERSION);
-  complete &= tell("SUMO_HOME", sumo.home.string(), mend);
+  tell("SUMO_HOME", sumo.home.string(),
+       "SUMO does not validate its input then, all else works (Debian: apt install sumo-tools)");
   std::string library;
+  std::string problem(mend);
   try {
     library = sumo_library_version();
   } catch (const InputError& error) {
-    fmt::print("{:<16} {}\n", "libsumo", error.what());
+    problem = error.what();
   }
-  complete &= tell("libsumo", library, mend);
+  complete &= tell("libsumo", library, problem);
   const std::string binary = version_of(sumo.sumo);
   complete &= tell("sumo", binary, mend);
   complete &= tell("duarouter", version_of(sumo.duarouter), mend);

@@ -2,14 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <mutex>
 #include <thread>
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/start.hpp"
 #include "core/error.hpp"
-#include "core/nearest.hpp"
 #include "lab/experiment.hpp"
 #include "xml/writer.hpp"
 
@@ -38,22 +37,6 @@ Options options_of(const lab::Experiment& experiment) {
   return {"lab " + experiment.name, experiment.summary, std::move(specs)};
 }
 
-/// The file's settings, under the command line's. All must be this experiment's.
-void take_file(Options& options, const std::filesystem::path& file) {
-  std::vector<std::string> names;
-  for (const OptionSpec& spec : options.specs()) names.push_back(spec.name);
-  for (const Setting& setting : read_configuration(file)) {
-    const OptionSpec* spec = nullptr;
-    for (const OptionSpec& known : options.specs()) {
-      if (known.name == setting.name) spec = &known;
-    }
-    verify(spec != nullptr, fmt::format("{}: there is no parameter '{}'{}", file.string(), setting.name,
-                                        did_you_mean(setting.name, names)));
-    const bool paths = (spec->type == "FILE" || spec->name == "net-files") && !setting.value.empty();
-    options.take({setting.name, paths ? resolve_files(setting.value, file.parent_path()) : setting.value});
-  }
-}
-
 lab::Parameters parameters_of(const lab::Experiment& experiment, const Options& options) {
   std::map<std::string, std::string, std::less<>> values;
   for (const auto& parameter : experiment.parameters) {
@@ -75,9 +58,7 @@ std::string header_of(const lab::Experiment& experiment, const Options& options)
 
 int run_experiment(const lab::Experiment& experiment, std::span<const std::string> arguments) {
   Options options = options_of(experiment);
-  options.parse(arguments);
-  if (!options.text("configuration-file").empty()) take_file(options, options.text("configuration-file"));
-  if (options.answered()) return 0;
+  if (!start(options, arguments, OwnConfiguration::yes)) return 0;
   verify(options.count("repetitions") >= 1, "--repetitions must be at least 1");
   verify(options.count("threads") >= 1 && options.count("threads") <= 256, "--threads must be from 1 to 256");
 

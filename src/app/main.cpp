@@ -6,6 +6,7 @@
 #include <exception>
 
 #include "app/commands.hpp"
+#include "app/messages.hpp"
 #include "core/error.hpp"
 #include "core/nearest.hpp"
 
@@ -69,7 +70,7 @@ int main(int count, char** values) {
   try {
     return run(std::vector<std::string>(values + 1, values + count));
   } catch (const std::exception& error) {
-    fmt::print(stderr, "Error: {}\nQuitting (on error).\n", error.what());
+    thalweg::tell_error(error.what());
     return 1;
   }
 }

@@ -5,8 +5,13 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "core/error.hpp"
 
 namespace thalweg {
 
@@ -15,6 +20,20 @@ std::atomic<bool> stop_requested{false};
 namespace {
 
 std::array<std::atomic<int>, 64> children{};
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+std::unique_ptr<std::FILE, CloseFile> log_file;
+bool is_verbose = false;
+
+void say(std::FILE* stream, const std::string& text) {
+  for (std::FILE* to : {stream, log_file.get()}) {
+    if (to == nullptr) continue;
+    std::fwrite(text.data(), 1, text.size(), to);
+    std::fflush(to);
+  }
+}
 
 void on_signal(int signal) {
   stop_requested = true;
@@ -25,19 +44,29 @@ void on_signal(int signal) {
 
 }  // namespace
 
-void warn(std::string_view text) { fmt::print(stderr, "Warning: {}\n", text); }
+void configure_messages(bool verbose, const std::filesystem::path& log) {
+  if (!log.empty()) {
+    log_file.reset(std::fopen(log.c_str(), "w"));
+    verify(log_file != nullptr, fmt::format("cannot write '{}': {}", log.string(), std::strerror(errno)));
+  }
+  is_verbose = verbose || log_file != nullptr;
+}
 
-Stage::Stage(bool verbose, std::string_view text) : verbose_(verbose) {
-  if (!verbose_) return;
-  fmt::print("{} ... ", text);
-  std::fflush(stdout);
+void warn(std::string_view text) { say(stderr, fmt::format("Warning: {}\n", text)); }
+
+void tell_error(std::string_view text) {
+  say(stderr, fmt::format("Error: {}\nQuitting (on error).\n", text));
+}
+
+Stage::Stage(std::string_view text) {
+  if (is_verbose) say(stdout, fmt::format("{} ... ", text));
 }
 
 Stage::~Stage() {
-  if (!verbose_) return;
+  if (!is_verbose) return;
   const auto taken = std::chrono::steady_clock::now() - start_;
-  fmt::print("done ({}ms).\n", std::chrono::duration_cast<std::chrono::milliseconds>(taken).count());
-  std::fflush(stdout);
+  say(stdout,
+      fmt::format("done ({}ms).\n", std::chrono::duration_cast<std::chrono::milliseconds>(taken).count()));
 }
 
 ProgressLine::ProgressLine()

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -10,19 +11,24 @@
 
 namespace thalweg {
 
+/// From here on: whether stages are told, and a file that gets every message as well (none: empty).
+/// InputError: it cannot be written.
+void configure_messages(bool verbose, const std::filesystem::path& log);
+
 /// "Warning: ..." on the error stream.
 void warn(std::string_view text);
+/// "Error: ..." and "Quitting (on error)." on the error stream.
+void tell_error(std::string_view text);
 
 /// "Loading net-file from 'x' ... done (10ms)." when verbose.
 class Stage {
  public:
-  Stage(bool verbose, std::string_view text);
+  explicit Stage(std::string_view text);
   ~Stage();
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
  private:
-  bool verbose_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

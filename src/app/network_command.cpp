@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/start.hpp"
 #include "core/error.hpp"
 #include "graph/road_graph.hpp"
 #include "network/read_network.hpp"
@@ -78,14 +79,13 @@ void print_graph(const Network& net, VehicleClass vehicle_class) {
 
 int network_command(std::span<const std::string> arguments) {
   Options options("network", "what a network looks like to the router",
-                  {{"input", "net-file", 'n', "FILE", "", "The network"},
+                  {{"configuration", "configuration-file", 'c', "FILE", "", "Takes options from this file"},
+                   {"input", "net-file", 'n', "FILE", "", "The network"},
                    {"routing", "vclass", 0, "STR", "passenger", "Vehicle classes, by comma"}});
-  options.parse(arguments);
-  if (options.answered()) return 0;
+  if (!start(options, arguments, OwnConfiguration::yes)) return 0;
   verify(!options.text("net-file").empty(), "no net-file: name it with -n");
   const Network net = [&] {
-    const Stage stage(options.flag("verbose"),
-                      fmt::format("Loading net-file from '{}'", options.text("net-file")));
+    const Stage stage(fmt::format("Loading net-file from '{}'", options.text("net-file")));
     return read_network(options.text("net-file"));
   }();
   for (const auto& warning : net.warnings) warn(warning);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/options.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <boost/program_options.hpp>
 #include <cctype>
 #include <cstdio>
+#include <ctime>
 
 #include "core/error.hpp"
 #include "core/nearest.hpp"
@@ -63,7 +65,9 @@ void write_text(const std::string& file, const std::string& text) {
 Options::Options(std::string command, std::string summary, std::vector<OptionSpec> specs)
     : command_(std::move(command)), summary_(std::move(summary)), specs_(std::move(specs)) {
   specs_.push_back({"report", "verbose", 'v', "BOOL", "false", "Says what is being done"});
+  specs_.push_back({"report", "log", 'l', "FILE", "", "Writes all messages to this file (implies verbose)"});
   specs_.push_back({"report", "help", '?', "BOOL", "false", "Prints this screen"});
+  specs_.push_back({"report", "version", 'V', "BOOL", "false", "Prints the version"});
   specs_.push_back(
       {"configuration", "save-configuration", 'C', "FILE", "", "Saves these options as a configuration"});
   specs_.push_back(
@@ -126,6 +130,20 @@ bool Options::take(const Setting& setting) {
   if (spec == nullptr) return false;
   if (!values_.find(spec->name)->second.from_command_line) set(*spec, setting.value, false);
   return true;
+}
+
+void Options::take_file(const std::filesystem::path& file) {
+  verify(std::filesystem::exists(file), fmt::format("the configuration '{}' does not exist", file.string()));
+  std::vector<std::string> names;
+  for (const OptionSpec& spec : specs_) names.push_back(spec.name);
+  for (const Setting& setting : read_configuration(file)) {
+    const OptionSpec* spec = find(setting.name);
+    verify(spec != nullptr, fmt::format("{}: 'thalweg {}' has no option '{}'{}", file.string(), command_,
+                                        setting.name, did_you_mean(setting.name, names)));
+    const bool is_file = spec->type == "FILE" && !setting.value.empty();
+    const auto folder = std::filesystem::absolute(file).parent_path();
+    take({.name = spec->name, .value = is_file ? resolve_files(setting.value, folder) : setting.value});
+  }
 }
 
 const OptionSpec* Options::find(std::string_view name) const {
@@ -198,7 +216,7 @@ std::string Options::to_xml(bool values) const {
   for (const auto& section : sections) {
     std::string body;
     for (const OptionSpec& spec : specs_) {
-      const bool is_meta = spec.name == "help" || spec.name.starts_with("save-");
+      const bool is_meta = spec.name == "help" || spec.name == "version" || spec.name.starts_with("save-");
       if (spec.section != section || (values && (is_meta || !is_set(spec.name)))) continue;
       body += fmt::format("        <{} value=\"{}\"", spec.name,
                           escaped(values ? text(spec.name) : spec.default_value));
@@ -213,7 +231,21 @@ std::string Options::to_xml(bool values) const {
   return out + "</configuration>\n";
 }
 
+std::string Options::header() const {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::string text = to_xml(true);
+  text.erase(0, text.find("<configuration>"));
+  return fmt::format("generated on {:%Y-%m-%dT%H:%M:%S} by thalweg {} {}\n{}", local, command_,
+                     THALWEG_VERSION, text);
+}
+
 bool Options::answered() const {
+  if (flag("version")) {
+    fmt::print("thalweg {}\n", THALWEG_VERSION);
+    return true;
+  }
   if (flag("help")) {
     const std::string screen = help();
     std::fwrite(screen.data(), 1, screen.size(), stdout);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <span>
@@ -34,6 +35,9 @@ class Options {
   void parse(std::span<const std::string> arguments);
   /// Takes a setting of a configuration file unless the command line has it. False: it is not one of ours.
   bool take(const Setting& setting);
+  /// Takes all of a configuration of ours; its files are seen from its own folder. InputError: it has other
+  /// options.
+  void take_file(const std::filesystem::path& file);
 
   [[nodiscard]] bool is_set(std::string_view name) const;  ///< differs from its default
   [[nodiscard]] bool on_command_line(std::string_view name) const;
@@ -48,8 +52,10 @@ class Options {
   [[nodiscard]] std::string help() const;
   /// The template that sumolib.options.pullOptions reads; with `values`: the configuration as it is.
   [[nodiscard]] std::string to_xml(bool values) const;
-  /// Does what --help, --save-template and --save-configuration ask for; true when the command is done with
-  /// that.
+  /// The comment on top of an output: when, by what, and with which options it was made.
+  [[nodiscard]] std::string header() const;
+  /// Does what --help, --version, --save-template and --save-configuration ask for; true when the command is
+  /// done with that.
   [[nodiscard]] bool answered() const;
 
  private:

@@ -7,11 +7,10 @@
 #include <array>
 
 #include "app/messages.hpp"
+#include "app/routing_options.hpp"
 #include "core/error.hpp"
 #include "core/nearest.hpp"
-#include "graph/road_graph.hpp"
 #include "network/read_network.hpp"
-#include "simulation/control.hpp"
 #include "xml/writer.hpp"
 
 namespace thalweg {
@@ -29,8 +28,6 @@ constexpr std::array<std::string_view, 9> shared_with_sumo{"net-file",
                                                            "weights.minor-penalty",
                                                            "weights.turnaround-penalty",
                                                            "weights.tls-penalty"};
-
-std::string seconds(Millis t) { return fmt::format("{}", to_seconds(t)); }
 
 void read_user_configuration(Options& options, Project& project) {
   const fs::path file(options.text("configuration-file"));
@@ -68,9 +65,7 @@ void check_for_sumo(const Options& options, const SumoOptions& catalogue) {
       "configuration-file", "route-files",     "additional-files", "begin", "scale", "seed", "random",
       "tripinfo-output",    "statistic-output"};
   for (const auto& argument : options.for_sumo()) {
-    if (!argument.starts_with('-')) continue;
-    const auto name = std::string_view(argument).substr(argument.starts_with("--") ? 2 : 1);
-    const auto* option = catalogue.find(name.substr(0, name.find('=')));
+    const auto* option = catalogue.find_argument(argument);
     if (option == nullptr || std::find(owned.begin(), owned.end(), option->first) == owned.end()) continue;
     throw InputError(
         fmt::format("'{}' cannot be given to SUMO alone: write it in the configuration, or before the '--' "
@@ -90,6 +85,11 @@ void check_files(const Settings& settings) {
 }
 
 void make_output_folder(const fs::path& folder) {
+  verify(
+      folder.string().find_first_of(",;") == std::string::npos,
+      fmt::format("the output folder '{}' has a comma or semicolon in its name, which SUMO takes for the end "
+                  "of a file's name",
+                  folder.string()));
   std::error_code error;
   fs::create_directories(folder, error);
   const fs::path probe = folder / ".thalweg-probe";
@@ -106,10 +106,7 @@ void make_output_folder(const fs::path& folder) {
 }  // namespace
 
 std::vector<OptionSpec> project_options() {
-  const ControlOptions control;
-  const ChoiceRule rule = StrategyOptions{}.rule;
-  const auto& penalties = control.penalties;
-  return {
+  std::vector<OptionSpec> specs{
       {"input", "configuration-file", 'c', "FILE", "", "Your .sumocfg, unchanged"},
       {"input", "net-file", 'n', "FILE", "", "The network, instead of the configuration's"},
       {"input", "route-files", 'r', "FILE", "", "The demand, instead of the configuration's"},
@@ -121,26 +118,10 @@ std::vector<OptionSpec> project_options() {
       {"time", "begin", 'b', "TIME", "0", "Begin of the simulation"},
       {"time", "end", 'e', "TIME", "-1", "End of the simulation; -1: when all have arrived"},
       {"time", "step-length", 0, "TIME", "1", "SUMO's step"},
-      {"routing", "period", 0, "STR", seconds(control.period),
-       "Every vehicle reconsiders once a period; 'step': at each step"},
-      {"routing", "window", 0, "TIME", seconds(control.window), "Travel times are averaged over this time"},
-      {"routing", "share", 0, "FLOAT", fmt::format("{}", control.share),
-       "Share of the vehicles that is ours, by a hash of their ids"},
-      {"routing", "gain.relative", 0, "FLOAT", fmt::format("{}", rule.relative),
-       "A vehicle changes when it gains more than this share of the time left"},
-      {"routing", "gain.spread", 0, "FLOAT", fmt::format("{}", rule.spread),
-       "and up to this share on top, different for each vehicle"},
-      {"routing", "gain.absolute", 0, "TIME", seconds(rule.absolute), "and more than this time"},
-      {"routing", "weights.minor-penalty", 0, "TIME", seconds(penalties.minor),
-       "Penalty for a turn that gives way"},
-      {"routing", "weights.turnaround-penalty", 0, "TIME", seconds(penalties.turnaround),
-       "Penalty for a turn-around"},
-      {"routing", "weights.tls-penalty", 0, "TIME", seconds(penalties.signal),
-       "Penalty for a signalled turn"},
-      {"routing", "threads", 0, "INT", "1", "Threads of the router; the result does not depend on them"},
-      {"routing", "stall", 0, "TIME", seconds(control.stall),
-       "A run without an end stops when nothing has arrived for so long"},
   };
+  const auto routing = routing_options();
+  specs.insert(specs.end(), routing.begin(), routing.end());
+  return specs;
 }
 
 Project load_project(Options& options, const std::function<void(const SumoOptions&)>& check) {
@@ -151,29 +132,28 @@ Project load_project(Options& options, const std::function<void(const SumoOption
   const fs::path configuration(options.text("configuration-file"));
   verify(configuration.empty() || fs::exists(configuration),
          fmt::format("the configuration '{}' does not exist", configuration.string()));
-  project.output = fs::absolute(options.text("output-folder")).lexically_normal();
-  make_output_folder(project.output);
-  project.catalogue = SumoOptions::ask(project.sumo.sumo, project.output);
+  project.catalogue = SumoOptions::ask(project.sumo.sumo);
   check_for_sumo(options, project.catalogue);
   if (!configuration.empty()) read_user_configuration(options, project);
   apply_command_line(options, project);
   check(project.catalogue);
   check_files(project.settings);
-
-  const bool verbose = options.flag("verbose");
+  project.name = configuration.empty() ? options.text("net-file") : configuration.string();
   {
     const std::string net = *project.settings.find("net-file");
-    const Stage stage(verbose, fmt::format("Loading net-file from '{}'", net));
+    const Stage stage(fmt::format("Loading net-file from '{}'", net));
     project.network = read_network(net);
   }
   for (const auto& warning : project.network.warnings) warn(warning);
+  project.output = fs::absolute(options.text("output-folder")).lexically_normal();
+  make_output_folder(project.output);
   const bool prepared = !options.text("prepared").empty();
   project.demand_files =
       DemandFiles(prepared ? fs::path(options.text("prepared")) : project.output / "demand");
-  const Stage stage(verbose, prepared ? "Reading the prepared demand" : "Preparing the demand");
-  project.demand =
-      prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
-               : prepare_demand(project.settings, project.network, project.sumo, project.demand_files);
+  const Stage stage(prepared ? "Reading the prepared demand" : "Preparing the demand");
+  project.demand = prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
+                            : prepare_demand(project.settings, project.network, project.sumo,
+                                             project.demand_files, options.header());
   const auto& dropped = project.demand.dropped;
   if (!dropped.empty() && !prepared) {
     const std::string text = fmt::format(

@@ -14,6 +14,7 @@ namespace thalweg {
 
 /// What `run` and `compare` start from: the user's configuration with what the command line says on top.
 struct Project {
+  std::string name;  ///< the file that names it in reports: the configuration, or the net when there is none
   SumoInstallation sumo;
   SumoOptions catalogue;
   Settings settings;  ///< SUMO's, by their proper names, paths absolute

@@ -3,6 +3,7 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/start.hpp"
 #include "core/error.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
@@ -20,7 +21,8 @@ Options route_options() {
   const auto seconds = [](Millis t) { return fmt::format("{}", to_seconds(t)); };
   return {"route",
           "routes on a network, without SUMO",
-          {{"input", "net-file", 'n', "FILE", "", "The network"},
+          {{"configuration", "configuration-file", 'c', "FILE", "", "Takes options from this file"},
+           {"input", "net-file", 'n', "FILE", "", "The network"},
            {"input", "from", 0, "STR", "", "Routes from this road"},
            {"input", "to", 0, "STR", "", "to this road"},
            {"input", "route-files", 'r', "FILE", "", "Routes these trips (with from, to and via)"},
@@ -44,8 +46,7 @@ Options route_options() {
 class Router {
  public:
   explicit Router(const Options& options) : options_(options) {
-    const Stage stage(options.flag("verbose"),
-                      fmt::format("Loading net-file from '{}'", options.text("net-file")));
+    const Stage stage(fmt::format("Loading net-file from '{}'", options.text("net-file")));
     network_ = read_network(options.text("net-file"));
     for (const auto& warning : network_.warnings) warn(warning);
     for (const auto& [id, road] : network_.road_ids) road_names_.push_back(id);
@@ -165,7 +166,7 @@ int route_trips(Router& router, const Options& options) {
         });
   }
   router.route();
-  xml::Writer writer(options.text("output-file"), fmt::format("thalweg route {}", THALWEG_VERSION));
+  xml::Writer writer(options.text("output-file"), options.header());
   writer.open("routes");
   for (const xml::Node& type : others) write_node(writer, type);
   for (std::size_t i = 0; i < trips.size(); ++i) {
@@ -194,8 +195,7 @@ int route_trips(Router& router, const Options& options) {
 
 int route_command(std::span<const std::string> arguments) {
   Options options = route_options();
-  options.parse(arguments);
-  if (options.answered()) return 0;
+  if (!start(options, arguments, OwnConfiguration::yes)) return 0;
   verify(!options.text("net-file").empty(), "no net-file: name it with -n");
   const bool pair = !options.text("from").empty() && !options.text("to").empty();
   verify(pair || !options.text("route-files").empty(),

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "app/commands.hpp"
 #include "app/messages.hpp"
 #include "app/project.hpp"
+#include "app/routing_options.hpp"
+#include "app/start.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
 #include "report/comparison.hpp"
@@ -12,41 +16,10 @@
 #include "simulation/control.hpp"
 #include "simulation/run_folder.hpp"
 #include "simulation/sumo_module.hpp"
+#include "sumo/program.hpp"
 
 namespace thalweg {
 namespace {
-
-namespace fs = std::filesystem;
-
-ControlOptions control_options(const Options& options) {
-  ControlOptions control;
-  control.period = 0;
-  if (options.text("period") != "step") {
-    const auto period = parse_time(options.text("period"));
-    verify(period.has_value() && *period > 0,
-           fmt::format("--period {}: this is neither a time above 0 nor 'step'", options.text("period")));
-    control.period = *period;
-  }
-  control.window = options.time("window");
-  verify(control.window > 0, "--window must be above 0");
-  control.share = options.number("share");
-  verify(control.share >= 0 && control.share <= 1, "--share must be from 0 to 1");
-  control.stall = options.time("stall");
-  control.penalties = {.minor = options.time("weights.minor-penalty"),
-                       .turnaround = options.time("weights.turnaround-penalty"),
-                       .signal = options.time("weights.tls-penalty")};
-  control.log_decisions = !options.text("decision-output").empty();
-  return control;
-}
-
-StrategyOptions strategy_options(const Options& options) {
-  const auto threads = options.count("threads");
-  verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
-  return {.rule = {.relative = options.number("gain.relative"),
-                   .spread = options.number("gain.spread"),
-                   .absolute = options.time("gain.absolute")},
-          .threads = threads};
-}
 
 /// Who waits for a person or a container counts from `begin` on.
 std::vector<DemandedTrip> demanded(const Demand& demand, Millis begin) {
@@ -77,7 +50,13 @@ void tell_end(const RunResult& result, Millis stall) {
 /// Runs the arm in its folder and fills the summary. What goes wrong is thrown.
 RunResult simulate(const Options& options, const Project& project, const ArmSpec& arm,
                    const RunFolder& folder, RunSummary& summary) {
-  const ControlOptions control_with = control_options(options);
+  ControlOptions control_with = control_options(options);
+  const std::string& decision_output = options.text("decision-output");
+  std::optional<DecisionOutput> decisions;  // opened before the work, so that a bad name costs no run
+  if (!decision_output.empty()) {
+    decisions.emplace(project.output / decision_output, options.header());
+    control_with.log_decisions = true;
+  }
   const auto strategy = arm.ours ? make_strategy(arm.name, strategy_options(options)) : nullptr;
   SessionSetup setup{.arguments = {"-c", folder.configuration.string()},
                      .network = &project.network,
@@ -102,11 +81,7 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   if (arm.ours) summary.reroutes = result.reroutes;
   summary.router_cpu_s = arm.ours ? result.router_cpu_s : 0;
   summary.simulation_cpu_s = result.simulation_cpu_s;
-  if (!options.text("decision-output").empty()) {
-    const fs::path file = project.output / options.text("decision-output");
-    write_decisions(file, fmt::format("thalweg {}, strategy {}", THALWEG_VERSION, arm.name), project.network,
-                    project.demand, result);
-  }
+  if (decisions) decisions->write(project.network, project.demand, result);
   tell_end(result, control_with.stall);
   return result;
 }
@@ -126,8 +101,7 @@ Options run_options() {
 
 int run_command(std::span<const std::string> arguments) {
   Options options = run_options();
-  options.parse(arguments);
-  if (options.answered()) return 0;
+  if (!start(options, arguments, OwnConfiguration::no)) return 0;
   catch_interrupts();
   ArmSpec arm;
   const Project project = load_project(options, [&](const SumoOptions& catalogue) {
@@ -136,8 +110,9 @@ int run_command(std::span<const std::string> arguments) {
     static_cast<void>(strategy_options(options));
     static_cast<void>(options.count("seed"));
   });
-  const RunFolder folder = make_run_folder(project.output, project.settings, project.catalogue,
-                                           project.demand_files, arm, options.count("seed"));
+  const RunFolder folder =
+      make_run_folder(project.output, project.settings, project.catalogue, project.demand_files, arm,
+                      options.count("seed"), options.header());
   RunSummary summary;
   summary.arm = arm.name;
   summary.seed = options.count("seed");
@@ -160,7 +135,7 @@ int run_command(std::span<const std::string> arguments) {
   if (options.text("prepared").empty()) {
     const Comparison alone{.thalweg = THALWEG_VERSION,
                            .sumo = sumo_library_version(),
-                           .configuration = options.text("configuration-file"),
+                           .configuration = project.name,
                            .command = {},
                            .seeds = {summary.seed},
                            .arms = {{.name = arm.name, .runs = {summary}}}};

@@ -11,6 +11,7 @@
 #include "demand/input_scan.hpp"
 #include "demand/vehicle_file.hpp"
 #include "sumo/options.hpp"
+#include "sumo/program.hpp"
 
 namespace thalweg {
 namespace {
@@ -23,7 +24,7 @@ class Duarouter {
   Duarouter(const Settings& settings, const SumoInstallation& sumo, const fs::path& folder)
       : program_(sumo.duarouter), folder_(folder) {
     require_tool(program_, "duarouter");
-    const SumoOptions options = SumoOptions::ask(program_, folder);
+    const SumoOptions options = SumoOptions::ask(program_);
     common_ = {"--net-file",
                settings.find("net-file").value_or(""),
                "--ignore-errors",
@@ -102,23 +103,24 @@ std::string via_of(const std::string& id, const InputScan& scan) {
 /// The arms' file of vehicles: types in front (without those of additional files, which SUMO reads itself),
 /// what duarouter dropped on the way noted in `demand`.
 void write_given(const fs::path& routed, const fs::path& types_file, const TypeClasses& other_types,
-                 const InputScan& scan, const Network& network, const DemandFiles& files, Demand& demand) {
+                 const InputScan& scan, const Network& network, const DemandFiles& files,
+                 std::string_view header, Demand& demand) {
   TypeClasses types = other_types;
   types.merge(default_types());
   read_types(types_file, types);
-  xml::Writer writer(files.given(), "prepared by thalweg: the same demand for every arm");
+  xml::Writer writer(files.given(), fmt::format("the same demand for every arm; {}", header));
   writer.open("routes");
   xml::read_nodes(
       types_file, [](const xml::Element&) {},
       [&](xml::Node& node) {
         if (const std::string* id = node.find("id"); id != nullptr && other_types.contains(*id)) return;
-        strip_rerouting(node);
+        strip_parameters(node);
         write_node(writer, node);
       });
   xml::read_nodes(
       routed, [](const xml::Element&) {},
       [&](xml::Node& node) {
-        strip_rerouting(node);
+        strip_parameters(node);
         if (node.name != "vehicle") return write_node(writer, node);
         const std::string& id = node.require("id");
         const auto type = node.value_or("type", "DEFAULT_VEHTYPE");
@@ -166,7 +168,8 @@ void note_unrouted(const InputScan& scan, const std::string& log, bool is_thinne
 }
 
 /// The given file with free-flow routes in place of the given ones. Who has no other way keeps his.
-void write_free_flow(const Duarouter& duarouter, const DemandFiles& files, const Demand& demand) {
+void write_free_flow(const Duarouter& duarouter, const DemandFiles& files, std::string_view header,
+                     const Demand& demand) {
   const fs::path trips = files.folder / "static.trips.xml";
   const fs::path routed = files.folder / "static.routed.xml";
   std::unordered_set<std::string> fixed;
@@ -197,7 +200,7 @@ void write_free_flow(const Duarouter& duarouter, const DemandFiles& files, const
   duarouter.route(trips.string(), routed, {});
   const RoutesById routes = read_routes(routed);
   xml::Writer writer(files.free_flow(),
-                     "prepared by thalweg: the same demand, every route the fastest on empty roads");
+                     fmt::format("the same demand, every route the fastest on empty roads; {}", header));
   writer.open("routes");
   xml::read_nodes(
       files.given(), [](const xml::Element&) {},
@@ -232,8 +235,9 @@ Settings for_duarouter(const Settings& settings, const fs::path& scratch) {
   return rest;
 }
 
-void write_dropped(const DemandFiles& files, const std::vector<DroppedVehicle>& dropped) {
-  xml::Writer writer(files.dropped(), "vehicles left out of every arm, and why");
+void write_dropped(const DemandFiles& files, std::string_view header,
+                   const std::vector<DroppedVehicle>& dropped) {
+  xml::Writer writer(files.dropped(), fmt::format("vehicles left out of every arm, and why; {}", header));
   writer.open("dropped");
   for (const auto& [id, reason] : dropped) {
     writer.open("vehicle").attribute("id", id).attribute("reason", reason).close();
@@ -244,7 +248,7 @@ void write_dropped(const DemandFiles& files, const std::vector<DroppedVehicle>& 
 }  // namespace
 
 Demand prepare_demand(const Settings& settings, const Network& network, const SumoInstallation& sumo,
-                      const DemandFiles& files) {
+                      const DemandFiles& files, std::string_view header) {
   fs::create_directories(files.folder);
   const fs::path scratch = files.folder / "additional";
   Settings routing = for_duarouter(settings, scratch);
@@ -272,17 +276,17 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
     more.insert(more.end(), {"--end", *end});
   const std::string log = Duarouter(routing, sumo, files.folder).route(inputs, routed, more);
   demand.dropped = scan.dropped;
-  write_given(routed, types, other_types, scan, network, files, demand);
+  write_given(routed, types, other_types, scan, network, files, header, demand);
   const auto scale = parse_number(settings.find("scale").value_or("1"));
   note_unrouted(scan, log, scale && *scale < 1, demand);
   if (scan.has_given_routes) {
     routing.erase("scale");  // done already
-    write_free_flow(Duarouter(routing, sumo, files.folder), files, demand);
+    write_free_flow(Duarouter(routing, sumo, files.folder), files, header, demand);
   } else {
     fs::copy_file(files.given(), files.free_flow(), fs::copy_options::overwrite_existing);
   }
   fs::remove_all(scratch);
-  write_dropped(files, demand.dropped);
+  write_dropped(files, header, demand.dropped);
   verify(!demand.vehicles.empty(),
          fmt::format("nothing is left of the demand: no vehicle can be routed; {} tells why",
                      files.dropped().string()));

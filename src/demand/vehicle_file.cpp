@@ -93,11 +93,13 @@ void read_vehicles(const std::filesystem::path& file, const Network& network, co
   });
 }
 
-void strip_rerouting(xml::Node& node) {
+void strip_parameters(xml::Node& node) {
   std::erase_if(node.children, [](const xml::Node& child) {
-    return child.name == "param" && switches_rerouting(child.value_or("key", ""));
+    const auto key = child.value_or("key", "");
+    const bool names_file = key.starts_with("device.") && key.ends_with(".file");
+    return child.name == "param" && (names_file || switches_rerouting(key));
   });
-  for (xml::Node& child : node.children) strip_rerouting(child);
+  for (xml::Node& child : node.children) strip_parameters(child);
 }
 
 }  // namespace thalweg

@@ -29,8 +29,9 @@ void read_vehicles(const std::filesystem::path& file, const Network& network, co
 /// A prepared vehicle as the demand has it; reads its attributes and stops only.
 DemandVehicle describe_vehicle(const xml::Node& vehicle, const Network& network, const TypeClasses& types);
 
-/// Leaves out the parameters that would hand the vehicle or type to SUMO's own router.
-void strip_rerouting(xml::Node& node);
+/// Leaves out the parameters that would hand the vehicle or type to SUMO's own router, and those that name a
+/// file for one of its devices (device.ssm.file): the arms share this demand, each run has files of its own.
+void strip_parameters(xml::Node& node);
 
 /// The edges of its <route> child; empty when it has none.
 std::string route_edges(const xml::Node& vehicle);

@@ -159,7 +159,7 @@ Report run(const Run& run) {
 Experiment city_regions_experiment() {
   return {.name = "city-regions",
           .summary = "how often the path with the fewest turns is the best one on real road networks",
-          .parameters = {{"net-files", "STR", "", "Road networks, by comma"},
+          .parameters = {{"net-files", "FILE", "", "Road networks, by comma"},
                          {"vclass", "STR", "passenger", "Vehicle class"}},
           .repetitions = 200,
           .run = run};

@@ -128,7 +128,7 @@ Experiment evolve_rounds_experiment() {
           .summary = "how many rounds evolution takes, by graph, way of updating and order of the vertices",
           .parameters = {{"vertices", "LIST", "100,400,1600,6400", "About so many"},
                          {"family", "STR", "grid,random,chain", "Kinds of graph; '' for none"},
-                         {"net-files", "STR", "", "Road networks beside them, by comma"}},
+                         {"net-files", "FILE", "", "Road networks beside them, by comma"}},
           .repetitions = 10,
           .run = run};
 }

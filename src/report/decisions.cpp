@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/decisions.hpp"
 
-#include "xml/writer.hpp"
-
 namespace thalweg {
 namespace {
 
@@ -19,12 +17,14 @@ std::string time_or_none(Millis t) { return t >= infinity ? "-1" : format_second
 
 }  // namespace
 
-void write_decisions(const std::filesystem::path& file, std::string_view header, const Network& network,
-                     const Demand& demand, const RunResult& result) {
-  xml::Writer writer(file, header);
-  writer.open("decisions");
+DecisionOutput::DecisionOutput(const std::filesystem::path& file, std::string_view header)
+    : writer_(file, header) {
+  writer_.open("decisions");
+}
+
+void DecisionOutput::write(const Network& network, const Demand& demand, const RunResult& result) {
   for (const LoggedDecision& decision : result.log) {
-    writer.open("decision")
+    writer_.open("decision")
         .attribute("time", format_seconds(decision.time))
         .attribute("vehicle", demand.vehicles[decision.vehicle].id)
         .attribute("changed", decision.new_route.empty() ? "false" : "true")
@@ -33,10 +33,10 @@ void write_decisions(const std::filesystem::path& file, std::string_view header,
         .attribute("predictedArrival", time_or_none(decision.predicted_arrival))
         .attribute("arrival", time_or_none(result.arrival[decision.vehicle]))
         .attribute("oldRoute", names_of(network, decision.old_route));
-    if (!decision.new_route.empty()) writer.attribute("newRoute", names_of(network, decision.new_route));
-    writer.close();
+    if (!decision.new_route.empty()) writer_.attribute("newRoute", names_of(network, decision.new_route));
+    writer_.close();
   }
-  writer.commit();
+  writer_.commit();
 }
 
 }  // namespace thalweg

@@ -81,6 +81,7 @@ class Controller {
     for (const VehicleId vehicle : simulation_.events().arrived) agenda_.on_arrived(vehicle);
     if (simulation_.now() >= next_sample_) {
       measured_.sample(simulation_.observe());
+      fresh_.assign(traffic_.size(), false);
       next_sample_ += sample_interval_;  // not from now on: steps of 0.3 s would make 1.2 s of 1 s
     }
     agenda_.take_due(simulation_.now(), due_);
@@ -130,12 +131,11 @@ class Controller {
     plans_.push_back(std::move(plan));
   }
 
-  /// Brings the costs of the classes that are asked for up to now.
+  /// Brings the costs of the classes that are asked for up to the last sample.
   void refresh_traffic() {
-    std::vector<bool> fresh(traffic_.size(), false);
     for (const Traveller& traveller : travellers_) {
-      if (fresh[traveller.vehicle_class]) continue;
-      fresh[traveller.vehicle_class] = true;
+      if (fresh_[traveller.vehicle_class]) continue;
+      fresh_[traveller.vehicle_class] = true;
       ClassTraffic& traffic = traffic_[traveller.vehicle_class];
       measured_.live(traffic.free_flow, traffic.road_times);
       turn_costs(*traffic.graph, traffic.road_times, traffic.turn_costs);
@@ -194,6 +194,7 @@ class Controller {
   std::array<std::optional<std::size_t>, 64> class_index_;
   std::vector<std::unique_ptr<RoadGraph>> graphs_;
   std::vector<ClassTraffic> traffic_;
+  std::vector<bool> fresh_;  ///< the classes whose traffic is that of the last sample
   std::vector<VehicleId> due_;
   std::vector<Traveller> travellers_;
   std::vector<Plan> plans_;  ///< of the travellers

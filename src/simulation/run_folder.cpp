@@ -42,6 +42,12 @@ fs::path readable_output(Settings& run, OutputPlaces& places, std::string_view o
   return *run.find(option);
 }
 
+/// "device.ssm.file" -> "ssm"
+std::string device_of(std::string_view option) {
+  option.remove_prefix(std::string_view("device.").size());
+  return std::string(option.substr(0, option.find('.')));
+}
+
 /// The mean speeds of every road, from which maps are drawn.
 fs::path write_edge_data(const fs::path& folder) {
   fs::path file = folder / "thalweg.add.xml";
@@ -58,7 +64,8 @@ fs::path write_edge_data(const fs::path& folder) {
 }  // namespace
 
 RunFolder make_run_folder(const fs::path& folder, const Settings& user, const SumoOptions& options,
-                          const DemandFiles& demand, const ArmSpec& arm, std::uint64_t seed) {
+                          const DemandFiles& demand, const ArmSpec& arm, std::uint64_t seed,
+                          std::string_view header) {
   const fs::path home = fs::absolute(folder).lexically_normal();
   fs::create_directories(home);
   OutputPlaces places(home, user.find("output-prefix").value_or(""));
@@ -72,6 +79,11 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
       .folder = home, .configuration = home / "run.sumocfg", .tripinfo = {}, .statistics = {}, .errors = {}};
   result.tripinfo = readable_output(run, places, "tripinfo-output", "tripinfo.xml");
   result.statistics = readable_output(run, places, "statistic-output", "statistics.xml");
+  for (const auto& name :
+       options.names()) {  // else a vehicle's device writes to where the program was started
+    const bool names_file = name.starts_with("device.") && name.ends_with(".file");
+    if (names_file && !run.find(name)) run.set(name, places.place(device_of(name) + ".xml", home));
+  }
   if (!run.find("error-log")) run.set("error-log", places.place("sumo.log", home));
   result.errors = *run.find("error-log");
   // What an earlier run left here must not be read as this one's, should SUMO write elsewhere or not at all.
@@ -96,7 +108,7 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
   }
   run.set("additional-files", additional + write_edge_data(home).string());
   for (const auto& [name, value] : arm.settings) run.set(name, value);
-  write_configuration(result.configuration, fmt::format("arm {}, seed {}", arm.name, seed), run.all());
+  write_configuration(result.configuration, header, run.all());
   return result;
 }
 

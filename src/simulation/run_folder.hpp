@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
+#include <string_view>
 
 #include "demand/prepare.hpp"
 #include "simulation/arm.hpp"
@@ -20,9 +20,10 @@ struct RunFolder {
 };
 
 /// Makes the folder ready: the user's configuration with the prepared demand in place of his, outputs and
-/// detectors' files moved into the folder, device.rerouting as the arm has it and nothing else.
+/// detectors' files moved into the folder, device.rerouting as the arm has it and nothing else. `header`: a
+/// comment on top of it.
 RunFolder make_run_folder(const std::filesystem::path& folder, const Settings& user,
                           const SumoOptions& options, const DemandFiles& demand, const ArmSpec& arm,
-                          std::uint64_t seed);
+                          std::uint64_t seed, std::string_view header);
 
 }  // namespace thalweg

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sumo/configuration.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "core/error.hpp"
 #include "core/number.hpp"
 #include "xml/reader.hpp"
 #include "xml/writer.hpp"
@@ -46,6 +49,11 @@ std::vector<std::string> file_list(std::string_view list) {
 std::string resolve_files(std::string_view list, const std::filesystem::path& folder) {
   std::string resolved;
   for (const auto& file : file_list(list)) {
+    verify(
+        std::filesystem::path(file).is_absolute() || folder.string().find_first_of(",;") == std::string::npos,
+        fmt::format("'{}' lies in the folder '{}': SUMO takes the comma or semicolon for the end of a file's "
+                    "name; rename the folder",
+                    file, folder.string()));
     if (!resolved.empty()) resolved += ',';
     resolved += std::filesystem::absolute(folder / file).lexically_normal().string();
   }

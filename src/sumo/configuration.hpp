@@ -21,7 +21,8 @@ std::vector<Setting> read_configuration(const std::filesystem::path& file);
 void write_configuration(const std::filesystem::path& file, std::string_view header,
                          const std::vector<Setting>& settings);
 
-/// A list of files ("a.xml,b.xml") made absolute, seen from `folder`.
+/// A list of files ("a.xml,b.xml") made absolute, seen from `folder`. InputError: the folder has a comma in
+/// its name, so that SUMO could not read the list.
 std::string resolve_files(std::string_view list, const std::filesystem::path& folder);
 std::vector<std::string> file_list(std::string_view list);
 

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <boost/process.hpp>
+#include <boost/process/search_path.hpp>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 
 #include "core/error.hpp"
 
@@ -57,26 +55,6 @@ void prepare_environment(const SumoInstallation& sumo) {
   if (!fs::exists(projections, ignored)) return;
   set_if_missing("PROJ_DATA", projections);
   set_if_missing("PROJ_LIB", projections);
-}
-
-int run_program(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& log) {
-  namespace bp = boost::process;
-  try {
-    bp::child child(bp::exe = program.string(), bp::args = arguments,
-                    bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string());
-    child.wait();
-    const int status = child.native_exit_code();
-    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : child.exit_code();
-  } catch (const bp::process_error& error) {
-    throw InputError(fmt::format("cannot start '{}': {}", program.string(), error.what()));
-  }
-}
-
-std::string read_text(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return std::move(text).str();
 }
 
 void require_tool(const fs::path& tool, const std::string& name) {

@@ -2,13 +2,14 @@
 #include "sumo/options.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 
 #include "core/error.hpp"
 #include "core/number.hpp"
-#include "sumo/installation.hpp"
+#include "sumo/program.hpp"
 #include "xml/reader.hpp"
 
 namespace thalweg {
@@ -30,9 +31,11 @@ class TemplateHandler : public xml::Handler {
   SumoOptions& options_;
 };
 
-SumoOptions SumoOptions::ask(const std::filesystem::path& program, const std::filesystem::path& scratch) {
-  const auto file = scratch / (program.filename().string() + ".options.xml");
-  const auto log = scratch / (program.filename().string() + ".options.log");
+SumoOptions SumoOptions::ask(const std::filesystem::path& program) {
+  const auto scratch = std::filesystem::temp_directory_path();
+  const auto own = fmt::format("thalweg-{}-{}", getpid(), program.filename().string());
+  const auto file = scratch / (own + ".options.xml");
+  const auto log = scratch / (own + ".options.log");
   const int exit = run_program(program, {"--save-template", file.string()}, log);
   if (exit != 0) {
     throw InputError(
@@ -54,6 +57,13 @@ const std::pair<const std::string, SumoOptions::Option>* SumoOptions::find(std::
     found = options_.find(synonym->second);
   }
   return found == options_.end() ? nullptr : &*found;
+}
+
+const std::pair<const std::string, SumoOptions::Option>* SumoOptions::find_argument(
+    std::string_view argument) const {
+  if (!argument.starts_with('-')) return nullptr;
+  argument.remove_prefix(argument.starts_with("--") ? 2 : 1);
+  return find(argument.substr(0, argument.find('=')));
 }
 
 std::vector<std::string> SumoOptions::names() const {

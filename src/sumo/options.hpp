@@ -12,8 +12,8 @@ namespace thalweg {
 /// What a program of SUMO's says of its options (`--save-template`): so every version is understood as it is.
 class SumoOptions {
  public:
-  /// Asks the program; `scratch` is a folder for the answer. InputError when it does not answer.
-  static SumoOptions ask(const std::filesystem::path& program, const std::filesystem::path& scratch);
+  /// Asks the program. InputError when it does not answer.
+  static SumoOptions ask(const std::filesystem::path& program);
 
   struct Option {
     std::string type;  ///< BOOL, INT, FLOAT, TIME, STR, FILE
@@ -21,6 +21,8 @@ class SumoOptions {
   };
   /// The option of this name or synonym; its proper name in `first`. Null when there is none.
   [[nodiscard]] const std::pair<const std::string, Option>* find(std::string_view name) const;
+  /// The option that an argument of a command line names ("--fcd-output=x", "-e"). Null: none, it is a value.
+  [[nodiscard]] const std::pair<const std::string, Option>* find_argument(std::string_view argument) const;
   [[nodiscard]] std::vector<std::string> names() const;
 
   [[nodiscard]] static bool is_input(std::string_view name, const Option& option);

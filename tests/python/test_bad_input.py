@@ -106,6 +106,20 @@ class BadInput(support.TestCase):
         self.fails(r"none\.xml", "route", "-n", net, "-r", "none.xml", "-o", "o.xml")
         self.fails(r"none\.xml", "route", "-n", net, "--from", "a", "--to", "b", "--weight-files", "none.xml")
 
+    def test_a_folder_that_sumo_cannot_name(self):
+        net = self.net(NET)
+        write_routes(self.place / "t.trips.xml", ['<trip id="t" depart="0" from="a" to="b"/>'])
+        self.fails("comma", "run", "-n", net, "-r", self.place / "t.trips.xml", "-o", "a,b")
+        odd = self.place / "c,d"
+        odd.mkdir()
+        write(odd / "x.sumocfg", '<configuration><net-file value="x.net.xml"/></configuration>')
+        self.fails("comma", "run", "-c", "c,d/x.sumocfg", "-o", "out")
+
+    def test_a_decision_log_that_cannot_be_written(self):
+        net = self.net(NET)
+        trips = write_routes(self.place / "t.trips.xml", ['<trip id="t" depart="0" from="a" to="b"/>'])
+        self.fails("no/such/folder", "run", "-n", net, "-r", trips, "-o", "out", "--decision-output", "no/such/folder/d.xml")
+
     def test_a_folder_in_place_of_a_file(self):
         (self.place / "folder").mkdir()
         self.fails(r"folder", "network", "-n", "folder")

@@ -126,6 +126,18 @@ class Compare(support.TestCase):
         self.assertTrue(list((self.folders[1] / "evolved" / "3").glob("state*")), "save-state")
 
 
+class Outputs(support.TestCase):
+    def test_outputs_named_for_sumo_are_each_runs_own(self):
+        folder = self.folder()
+        city = make_city(folder / "city")
+        self.succeeds("compare", "-c", city, "-o", folder / "out", "--arms", "static,evolved", "--seeds", 1, "--",
+                      "--fcd-output", folder / "fcd.xml", "--lanechange-output=lanes.xml", cwd=folder)
+        self.assertEqual(sorted(path.name for path in folder.iterdir()), ["city", "out"])
+        for arm in ("static", "evolved"):
+            for file in ("fcd.xml", "lanes.xml"):
+                read_xml(folder / "out" / arm / "23423" / file)
+
+
 @expand
 class CompareFails(support.TestCase):
     def test_an_option_that_sumo_does_not_know(self):
@@ -149,6 +161,14 @@ class CompareFails(support.TestCase):
         self.assertIn("guess", bad["runs"][0]["error"])
         self.assertEqual(good["runs"][0]["exit"], 0)
         self.assertGreater(good["runs"][0]["finished"], 0)
+
+    def test_options_of_the_runs_are_checked_before_any_work(self):
+        folder = self.folder()
+        for option in ("--share=2", "--period=never", "--window=0", "--threads=0"):
+            result = thalweg("compare", "-c", HEAVY, "-o", folder / "out", option)
+            self.assertEqual(result.exit, 1, result)
+            self.assertIn(option.split("=")[0], result.err)
+            self.assertFalse((folder / "out").exists())
 
     def test_a_setting_that_is_no_number(self):
         """SUMO would run on, without the setting."""

@@ -215,6 +215,25 @@ class SmallGrid(support.RunCase):
         device = self.run_city("-c", file, "--strategy", "device:period=5", folder=self.place, name="device")
         self.assertNotEqual(device.routes(), wanted, "nobody would have changed anyway: this test shows nothing")
 
+    def test_a_device_of_a_vehicle_writes_to_the_runs_folder(self):
+        elsewhere = self.place / "elsewhere" / "ssm.xml"
+        types = ['<vType id="plain"><param key="has.ssm.device" value="true"/></vType>',
+                 f'<vType id="named"><param key="has.ssm.device" value="true"/>'
+                 f'<param key="device.ssm.file" value="{elsewhere}"/></vType>']
+        trips = [f'<trip id="{t}" type="{t}" depart="0" from="A0B0" to="D4E4"/>' for t in ("plain", "named")]
+        run = self.drive(types + trips, cwd=self.place)
+        self.assertTrue((run.folder / "ssm.xml").is_file())
+        self.assertEqual([file for file in self.place.rglob("*ssm*") if run.folder not in file.parents], [])
+
+    def test_log_and_headers(self):
+        """As SUMO's programs: a log on request, and every output says what made it."""
+        run = self.drive(random_trips(self.net, 20, 20), "--log", self.place / "log.txt")
+        self.assertRegex((self.place / "log.txt").read_text(), r"Loading net-file from '.*' \.\.\. done \(\d+ms\)\.")
+        for file in ("decisions.xml", "run.sumocfg", "demand/given.rou.xml", "demand/static.rou.xml", "demand/dropped.xml"):
+            head = (run.folder / file).read_text()[:3000]
+            self.assertRegex(head, r"generated on \d{4}-\d\d-\d\dT[\d:]{8} by thalweg run ", file)
+            self.assertIn(f'<net-file value="{self.net}"/>', head, file)
+
     def test_all_kinds_of_demand(self):
         """Flows, trips between zones, vehicles of an additional file, routes by name."""
         additional = write(self.place / "more.add.xml", """<additional>

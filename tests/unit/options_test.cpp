@@ -182,6 +182,28 @@ TEST(Options, SavingIsTheWholeCommand) {
   EXPECT_EQ(read_bytes(file), parsed({"--threads=2"}).to_xml(true));
 }
 
+TEST(Options, AConfigurationOfOursIsSeenFromItsFolderAndUnderTheCommandLine) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.cfg",
+                                 "<configuration><any><net-file value='sub/a.xml'/><b value='7'/>"
+                                 "<threads value='3'/></any></configuration>");
+  Options options = parsed({"--threads", "2"});
+  options.take_file(file);
+  EXPECT_EQ(options.text("net-file"), (folder / "sub/a.xml").string());
+  EXPECT_EQ(options.time("begin"), 7'000);
+  EXPECT_EQ(options.count("threads"), 2U);
+  const auto bad = folder.write("bad.cfg", "<configuration><x><thread value='3'/></x></configuration>");
+  EXPECT_TRUE(contains(input_error([&] { options.take_file(bad); }), "did you mean 'threads'"));
+  EXPECT_TRUE(contains(input_error([&] { options.take_file(folder / "none.cfg"); }), "does not exist"));
+}
+
+TEST(Options, TheHeaderSaysWhatMadeTheFileAndWithWhichOptions) {
+  const std::string header = parsed({"-n", "a.xml"}).header();
+  for (const char* part : {"generated on 2", "by thalweg run ", "<net-file value=\"a.xml\"/>"}) {
+    EXPECT_TRUE(contains(header, part));
+  }
+}
+
 TEST(Options, HelpShowsSectionsNamesTypesAndDefaults) {
   const std::string help = some_options().help();
   for (const char* part : {"Usage: thalweg run [options]", "\nrouting:\n", "  -n, --net-file FILE",

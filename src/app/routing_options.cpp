@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/routing_options.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace thalweg {
+namespace {
+
+std::string seconds(Millis t) { return fmt::format("{}", to_seconds(t)); }
+
+}  // namespace
+
+std::vector<OptionSpec> routing_options() {
+  const ControlOptions control;
+  const ChoiceRule rule = StrategyOptions{}.rule;
+  const auto& penalties = control.penalties;
+  return {
+      {"routing", "period", 0, "STR", seconds(control.period),
+       "Every vehicle reconsiders once a period; 'step': at each step"},
+      {"routing", "window", 0, "TIME", seconds(control.window), "Travel times are averaged over this time"},
+      {"routing", "share", 0, "FLOAT", fmt::format("{}", control.share),
+       "Share of the vehicles that is ours, by a hash of their ids"},
+      {"routing", "gain.relative", 0, "FLOAT", fmt::format("{}", rule.relative),
+       "A vehicle changes when it gains more than this share of the time left"},
+      {"routing", "gain.spread", 0, "FLOAT", fmt::format("{}", rule.spread),
+       "and up to this share on top, different for each vehicle"},
+      {"routing", "gain.absolute", 0, "TIME", seconds(rule.absolute), "and more than this time"},
+      {"routing", "weights.minor-penalty", 0, "TIME", seconds(penalties.minor),
+       "Penalty for a turn that gives way"},
+      {"routing", "weights.turnaround-penalty", 0, "TIME", seconds(penalties.turnaround),
+       "Penalty for a turn-around"},
+      {"routing", "weights.tls-penalty", 0, "TIME", seconds(penalties.signal),
+       "Penalty for a signalled turn"},
+      {"routing", "threads", 0, "INT", "1", "Threads of the router; the result does not depend on them"},
+      {"routing", "stall", 0, "TIME", seconds(control.stall),
+       "A run without an end stops when nothing has arrived for so long"},
+  };
+}
+
+ControlOptions control_options(const Options& options) {
+  ControlOptions control;
+  control.period = 0;
+  if (options.text("period") != "step") {
+    const auto period = parse_time(options.text("period"));
+    verify(period.has_value() && *period > 0,
+           fmt::format("--period {}: this is neither a time above 0 nor 'step'", options.text("period")));
+    control.period = *period;
+  }
+  control.window = options.time("window");
+  verify(control.window > 0, "--window must be above 0");
+  control.share = options.number("share");
+  verify(control.share >= 0 && control.share <= 1, "--share must be from 0 to 1");
+  control.stall = options.time("stall");
+  control.penalties = {.minor = options.time("weights.minor-penalty"),
+                       .turnaround = options.time("weights.turnaround-penalty"),
+                       .signal = options.time("weights.tls-penalty")};
+  return control;
+}
+
+StrategyOptions strategy_options(const Options& options) {
+  const auto threads = options.count("threads");
+  verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
+  return {.rule = {.relative = options.number("gain.relative"),
+                   .spread = options.number("gain.spread"),
+                   .absolute = options.time("gain.absolute")},
+          .threads = threads};
+}
+
+}  // namespace thalweg

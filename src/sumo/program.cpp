@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sumo/program.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/process.hpp>
+#include <fstream>
+#include <sstream>
+
+#include "core/error.hpp"
+
+namespace thalweg {
+
+int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                const std::filesystem::path& log) {
+  namespace bp = boost::process;
+  try {
+    bp::child child(bp::exe = program.string(), bp::args = arguments,
+                    bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string());
+    child.wait();
+    const int status = child.native_exit_code();
+    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : child.exit_code();
+  } catch (const bp::process_error& error) {
+    throw InputError(fmt::format("cannot start '{}': {}", program.string(), error.what()));
+  }
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return std::move(text).str();
+}
+
+}  // namespace thalweg

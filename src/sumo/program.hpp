@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace thalweg {
+
+/// Runs a program and waits for it; what it prints goes to `log`. Returns its exit code (128 + n: signal n).
+/// InputError when it cannot be started.
+int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                const std::filesystem::path& log);
+
+/// The whole text of a small file; empty when it cannot be read.
+std::string read_text(const std::filesystem::path& file);
+
+}  // namespace thalweg
