@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "boost_dijkstra.hpp"
 #include "nets.hpp"
@@ -49,18 +50,23 @@ double peak_mb() {
   return static_cast<double>(used.ru_maxrss) / 1024;
 }
 
+/// The same columns for every benchmark, as its CSV wants. `vehicles`: routed in an iteration.
+void report(State& state, const CchTopology& topology, std::size_t vehicles = 0) {
+  state.counters["vertices"] = static_cast<double>(topology.vertex_count());
+  state.counters["edges"] = static_cast<double>(topology.edge_count());
+  state.counters["triangles"] = static_cast<double>(topology.triangle_count());
+  state.counters["climb"] = mean_climb(topology);
+  state.counters["peak_MB"] = peak_mb();
+  state.counters["routes/s"] =
+      ::benchmark::Counter(static_cast<double>(vehicles), ::benchmark::Counter::kIsIterationInvariantRate);
+}
+
 void topology(State& state, Maker make) {
   const Net net = make();
   for (auto _ : state) {
     const CchTopology built(net.graph, nested_dissection(net.graph));
-    state.counters["edges"] = static_cast<double>(built.edge_count());
-    state.counters["triangles"] = static_cast<double>(built.triangle_count());
   }
-  const CchTopology kept(net.graph, nested_dissection(net.graph));
-  state.counters["climb"] = mean_climb(kept);
-  state.counters["vertices"] = static_cast<double>(net.graph.vertex_count());
-  state.counters["arcs"] = static_cast<double>(net.graph.arc_count());
-  state.counters["peak_MB"] = peak_mb();
+  report(state, CchTopology(net.graph, nested_dissection(net.graph)));
 }
 
 template <CchWeight W>
@@ -69,8 +75,7 @@ void customise(State& state, Maker make, std::size_t threads) {
   CchMetric<W> metric;
   const std::vector<Millis> costs = live_costs(on.net, 1);
   for (auto _ : state) metric.customise(on.topology, costs, threads);
-  state.counters["triangles/s"] = ::benchmark::Counter(static_cast<double>(on.topology.triangle_count()),
-                                                       ::benchmark::Counter::kIsIterationInvariantRate);
+  report(state, on.topology);
 }
 
 void sweep(State& state, Maker make) {
@@ -81,8 +86,7 @@ void sweep(State& state, Maker make) {
   for (const Traveller& traveller : travellers(on.net, 16, 1)) ends.push_back(traveller.waypoints.front());
   CchSweep<std::uint32_t> sweep;
   for (auto _ : state) sweep.run(on.topology, metric, ends);
-  state.counters["edges/s"] = ::benchmark::Counter(static_cast<double>(on.topology.edge_count()),
-                                                   ::benchmark::Counter::kIsIterationInvariantRate);
+  report(state, on.topology);
 }
 
 /// A lone cost, without its way.
@@ -98,6 +102,7 @@ void single_query(State& state, Maker make) {
     lazy.start(on.topology, metric, traveller.waypoints.front());
     ::benchmark::DoNotOptimize(lazy.cost(on.topology, metric, traveller.route.front()));
   }
+  report(state, on.topology);
 }
 
 Millis dijkstra_cost(const Net& net, const std::vector<Millis>& costs, const Leg& leg, Tree& tree,
@@ -135,9 +140,7 @@ void round_of(State& state, Maker make, std::size_t vehicles, std::size_t per_en
       std::exit(1);
     }
   }
-  state.counters["s/route"] =
-      ::benchmark::Counter(static_cast<double>(vehicles),
-                           ::benchmark::Counter::kIsIterationInvariantRate | ::benchmark::Counter::kInvert);
+  report(state, on.topology, vehicles);
 }
 
 void dijkstra_query(State& state, Maker make) {
@@ -155,6 +158,7 @@ void dijkstra_query(State& state, Maker make) {
             .number = 0};
     ::benchmark::DoNotOptimize(dijkstra_cost(on.net, on.net.costs, leg, tree, scratch));
   }
+  report(state, on.topology);
 }
 
 void boost_query(State& state, Maker make) {
@@ -179,6 +183,7 @@ void boost_query(State& state, Maker make) {
     const Traveller& traveller = due[i++ % due.size()];
     ::benchmark::DoNotOptimize(boost.cost(traveller.route.front(), traveller.waypoints.front()));
   }
+  report(state, on.topology);
 }
 
 template <class Function, class... Arguments>
@@ -228,11 +233,11 @@ int main(int argc, char** argv) {
   }
   add_net("luxembourg", &luxembourg, true);
   add_net(
-      "luxembourg*4", [] { return glued(luxembourg(), 2, 2); }, true);
+      "luxembourg*9", [] { return glued(luxembourg(), 3, 3); }, true);
   add_net(
-      "luxembourg*16", [] { return glued(luxembourg(), 4, 4); }, false);
+      "luxembourg*35", [] { return glued(luxembourg(), 7, 5); }, false);
   add_net(
-      "luxembourg*72", [] { return glued(luxembourg(), 9, 8); }, false);
+      "luxembourg*182", [] { return glued(luxembourg(), 14, 13); }, false);
   add_net(
       "grid113", [] { return grid(113); }, true);
   benchmark::RunSpecifiedBenchmarks();
