@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cch/order_cache.hpp"
 #include "core/time.hpp"
 #include "demand/demand.hpp"
 #include "graph/road_graph.hpp"
@@ -81,6 +82,7 @@ class Strategy {
 struct StrategyOptions {
   ChoiceRule rule{};
   std::size_t threads = 1;
+  OrderCache order_cache{};  ///< of the hierarchy; nowhere by default
 };
 
 /// The strategies there are, each with the sentence that `--help` shows.

@@ -156,7 +156,7 @@ class SmallGrid(support.RunCase):
         self.assertEqual(run.summary["finished"], 200)
         self.assertGreater(run.summary["reroutes"], 0)
 
-    @on_each(("hybrid", "evolved", "dijkstra", "given", "static", "one-shot", "device", "device:period=10"))
+    @on_each(("hybrid", "evolved", "cch", "dijkstra", "given", "static", "one-shot", "device", "device:period=10"))
     def test_way_points(self, strategy):
         """`via` is driven through, in its order, whoever routes."""
         via = ("B4C4", "D1D0", "A2A3")
@@ -166,7 +166,7 @@ class SmallGrid(support.RunCase):
         for vehicle, route in run.routes().items():
             if vehicle.startswith("v"):
                 self.assertTrue(in_order(via, route), f"{vehicle}: {route}")
-        if strategy in ("evolved", "dijkstra"):
+        if strategy in ("evolved", "cch", "dijkstra"):
             of_via = {d.get("vehicle") for d in run.decisions() if d.get("changed") == "true"}
             self.assertTrue(any(vehicle.startswith("v") for vehicle in of_via), "nobody with via was re-routed")
 
