@@ -139,15 +139,18 @@ class ForecastStrategy : public Strategy {
     const Millis old_arrival = drive(turns, costs, traveller.route, start);
     decision.old_cost = old_arrival >= infinity ? infinity : old_arrival - start + last;
     decision.new_cost = decision.old_cost;
+    // Only ways that the rule would take are searched for: mostly there is none, which is seen soon.
+    const Millis bound =
+        old_arrival >= infinity ? infinity : old_arrival - rule_.threshold(traveller, decision.old_cost);
     decision.route.push_back(traveller.route.front());
     Millis time = start;
     VertexId at = traveller.route.front();
     for (const VertexId waypoint : traveller.waypoints) {
       const auto& left = view.potentials->to(turns, costs.free_flow(), waypoint);
       const auto found = timed_search(
-          turns, at, time, waypoint, old_arrival, [&](ArcId arc, Millis t) { return costs.arrive(arc, t); },
+          turns, at, time, waypoint, bound, [&](ArcId arc, Millis t) { return costs.arrive(arc, t); },
           [&](VertexId v) { return left[v.value]; }, scratch);
-      if (!found) {  // nothing is earlier than its own way
+      if (!found) {
         decision.route = traveller.route;
         return;
       }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "core/nearest.hpp"
@@ -14,9 +15,12 @@ namespace thalweg {
 bool ChoiceRule::prefers(const Traveller& traveller, Millis old_cost, Millis new_cost) const {
   if (new_cost >= old_cost) return false;
   if (old_cost >= infinity) return true;  // its way is broken: any other is better
+  return old_cost - new_cost > threshold(traveller, old_cost);
+}
+
+Millis ChoiceRule::threshold(const Traveller& traveller, Millis old_cost) const {
   const double share = (traveller.departed ? relative : 0) + spread * traveller.patience;
-  const auto gain = static_cast<double>(old_cost - new_cost);
-  return gain > share * static_cast<double>(old_cost) + static_cast<double>(absolute);
+  return static_cast<Millis>(std::floor(share * static_cast<double>(old_cost))) + absolute;
 }
 
 std::span<const StrategyEntry> strategies() {

@@ -53,6 +53,8 @@ struct ChoiceRule {
   Millis absolute = 3'000;
 
   [[nodiscard]] bool prefers(const Traveller& traveller, Millis old_cost, Millis new_cost) const;
+  /// What a way must gain more than, against one of a finite cost, to be preferred.
+  [[nodiscard]] Millis threshold(const Traveller& traveller, Millis old_cost) const;
 };
 
 /// What the control loop knows of the traffic after a look at it.
