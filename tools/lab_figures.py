@@ -134,7 +134,8 @@ def density(table, figure):
             top_axes.plot(*of_gap.numbers("N", "top [%]"), mark + "-", color=colour, ms=5, label=f"c = {gap}")
             status_axes.plot(*of_gap.numbers("N", "average status [%]"), mark + "-", color=colour, ms=5)
         top_axes.set(title=reading, ylim=(0, 103))
-        status_axes.set(xlabel="N", ylim=(0, None))
+        status_axes.set(xlabel="N")
+    status[0].set_ylim(bottom=0)  # after all are drawn: they share it
     tops[0].set_ylabel("on top [%]")
     status[0].set_ylabel("average status [%]")
     figure.legend(*tops[0].get_legend_handles_labels(), loc="outside lower center", ncols=5)

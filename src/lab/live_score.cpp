@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "core/dice.hpp"
@@ -92,7 +93,7 @@ void add_grid(const Run& run, Report& report) {
         mean.eta_of_arcs += share * one.eta_of_arcs;
         mean.variation += share * one.variation;
       }
-      mean.different = static_cast<std::uint64_t>(different + 0.5);
+      mean.different = static_cast<std::uint64_t>(std::llround(different));
       moments.add(fmt::format("|Y| {} N {}", most, count), mean, all);
     }
   }

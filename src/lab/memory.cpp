@@ -48,6 +48,7 @@ Days live(const Town& town, const Setting& setting, std::uint64_t days, Dice dic
   for (Millis& cost : today) cost = draw_cost(town, dice);
   const std::vector<Millis> expected(today.size(), free_cost);
   std::vector<MemoryCrew> crews;
+  crews.reserve(memories.size());
   for (const Memory memory : memories) crews.emplace_back(town.grid, errands, expected, memory);
   Days out;
   for (std::uint64_t day = 0; day < days; ++day) {
@@ -98,6 +99,7 @@ Report run(const Run& run) {
           std::vector<std::string> row{cell(size), cell(renewed), cell(load), cell(day)};
           for (std::size_t m = 0; m < memories.size(); ++m) {
             std::vector<double> excess;
+            excess.reserve(all.size());
             for (const Days& one : all) excess.push_back(one[m][day - 1]);
             add_estimate(row, estimate(excess), 2);
           }

@@ -5,8 +5,8 @@
 
 namespace thalweg::lab {
 
-MemoryCrew::MemoryCrew(const Digraph& graph, std::vector<Errand> errands, const std::vector<Millis>& expected,
-                       Memory memory)
+MemoryCrew::MemoryCrew(const Digraph& graph, std::span<const Errand> errands,
+                       const std::vector<Millis>& expected, Memory memory)
     : graph_(graph), memory_(memory) {
   minds_.assign(memory == Memory::own ? errands.size() : 1, Mind{.belief = expected});
   for (const Errand& errand : errands) {

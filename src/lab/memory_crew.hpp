@@ -23,7 +23,7 @@ enum class Memory : std::uint8_t { none, own, shared };
 class MemoryCrew {
  public:
   /// `graph` must outlive the crew. `expected`: cost of every arc, all above 0; the errands must be possible.
-  MemoryCrew(const Digraph& graph, std::vector<Errand> errands, const std::vector<Millis>& expected,
+  MemoryCrew(const Digraph& graph, std::span<const Errand> errands, const std::vector<Millis>& expected,
              Memory memory);
 
   /// A day: in turn, each vehicle drives one road, until all are at their targets. A road costs `today`, and

@@ -19,7 +19,8 @@ struct Fork {
   std::vector<Millis> today{1, 9, 2, 2};
   MemoryCrew crew(std::size_t vehicles, Memory memory) const {
     const Errand errand{VertexId{0U}, VertexId{3U}};
-    return {instance.graph, std::vector<Errand>(vehicles, errand), instance.costs, memory};
+    const std::vector<Errand> errands(vehicles, errand);
+    return {instance.graph, errands, instance.costs, memory};
   }
 };
 
@@ -66,6 +67,7 @@ TEST(MemoryCrew, LearnsWhatDoesNotChange) {
     for (Millis& cost : today) cost = dice.roll(5) == 0 ? 100 : 10;
     const std::vector<Millis> expected(grid.arc_count(), 10);
     std::vector<Errand> errands;
+    errands.reserve(5);
     for (int i = 0; i < 5; ++i) errands.push_back({VertexId{dice.roll(36)}, VertexId{dice.roll(36)}});
     const Millis informed = MemoryCrew(grid, errands, today, Memory::none).drive(today, 0);
     for (const Memory memory : {Memory::own, Memory::shared}) {
