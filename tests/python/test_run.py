@@ -156,7 +156,7 @@ class SmallGrid(support.RunCase):
         self.assertEqual(run.summary["finished"], 200)
         self.assertGreater(run.summary["reroutes"], 0)
 
-    @on_each(("hybrid", "evolved", "cch", "dijkstra", "given", "static", "one-shot", "device", "device:period=10"))
+    @on_each(("hybrid", "evolved", "forecast", "cch", "dijkstra", "given", "static", "one-shot", "device", "device:period=10"))
     def test_way_points(self, strategy):
         """`via` is driven through, in its order, whoever routes."""
         via = ("B4C4", "D1D0", "A2A3")
@@ -170,7 +170,7 @@ class SmallGrid(support.RunCase):
             of_via = {d.get("vehicle") for d in run.decisions() if d.get("changed") == "true"}
             self.assertTrue(any(vehicle.startswith("v") for vehicle in of_via), "nobody with via was re-routed")
 
-    @on_each(("hybrid", "evolved", "device"))
+    @on_each(("hybrid", "evolved", "forecast", "device"))
     def test_stops(self, strategy):
         """Who has stops makes them all, in their order."""
         stops = ("C2C3", "D1D0")
@@ -208,7 +208,7 @@ class SmallGrid(support.RunCase):
             <routing><device.rerouting.probability value="1"/><device.rerouting.period value="5"/>
             <device.rerouting.adaptation-steps value="10"/></routing></configuration>""")
 
-    @on_each(("static", "given", "evolved"))
+    @on_each(("static", "given", "evolved", "forecast"))
     def test_sumo_does_not_reroute_beside_us(self, strategy):
         file = self.configuration(random_trips(self.net, 300, 60, type="eager"))
         run = self.run_city("-c", file, "--strategy", strategy, "--share", 0, folder=self.place)
