@@ -41,7 +41,7 @@ class Table:
 
 def runtime(table, axes):
     for colour, (column, name) in zip(COLOURS, [
-            ("total [ms]", "partition + hybrid"), ("breadth-first [ms]", "breadth-first search"),
+            ("both in one pass [ms]", "partition + hybrid, one pass"), ("breadth-first [ms]", "breadth-first search"),
             ("Dijkstra [ms]", "Dijkstra"), ("Boost Dijkstra [ms]", "Boost.Graph's Dijkstra"),
             ("first form [ms]", "first form of the partition"), ("paper total [ms]", "the paper's total")]):
         side, time = table.numbers("side", column)
@@ -62,7 +62,7 @@ def enumerate_(table, axes):
         side, paper = rows.numbers("side", "paper loops")
         axes.semilogy(side, paper, "x", color="black", ms=10)
     axes.plot([], [], "x", color="black", label="the paper's")
-    axes.set(xlabel="side k of the grid", ylabel="number", title="T-enumerate")
+    axes.set(xlabel="side k of the grid", ylabel="number", title="T-enumerate", xticks=[int(side) for side in table.different("side")])
     axes.legend()
 
 
@@ -83,9 +83,10 @@ def triangle(table, axes):
     axes.semilogx(n, exact, color=COLOURS[0], label="exact")
     axes.semilogx(*table.numbers("n", "y on the given side, exact"), color=COLOURS[1], label="greatest on e3")
     axes.semilogx(*table.numbers("n", "equal pair, exact"), color=COLOURS[2], label="equal pair")
+    axes.semilogx(n, [3 / value for value in n], ":", color=COLOURS[2], label="the paper's 3/n")
     axes.axhline(0.48, color="0.5", ls="--", label="the paper's 0.48 and 0.17")
     axes.axhline(0.17, color="0.5", ls="--")
-    axes.set(xlabel="n", ylabel="probability", title="P-triangle")
+    axes.set(xlabel="n", ylabel="probability", title="P-triangle", ylim=(-0.02, 0.6))
     axes.legend()
 
 
@@ -105,11 +106,12 @@ def greedy(table, figure):
         axes.bar(right, wins, 1.5, bottom=[a + b for a, b in zip(heavier, equal)], color="black",
                  label="greedy wins")
         axes.set(xlabel="side k (left: length, right: weight)", ylabel="tests [%]", title=name)
-    axes.legend(fontsize=7)
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)
     figure.suptitle("F-greedy (Figures 4 to 7)")
 
 
 def dynamic(table, axes):
+    table = table.where(weights="table")
     n, distinct = table.numbers("N", "mean distinct totals")
     other = axes.twinx()
     other.bar(n, distinct, 10, color="0.85")
@@ -119,31 +121,37 @@ def dynamic(table, axes):
     axes.set(xlabel="N (unit: 2k)", ylabel="%", title="F-dynamic (Figure 8)", ylim=(0, None))
     axes.set_zorder(1)
     axes.patch.set_visible(False)
-    axes.legend()
+    axes.figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)
 
 
 def density(table, figure):
-    for axes, reading in zip(figure.subplots(2, 2).flat, table.different("reading")):
+    readings = table.different("reading")
+    tops, status = figure.subplots(2, len(readings), sharex=True, sharey="row")
+    for top_axes, status_axes, reading in zip(tops, status, readings):
         rows = table.where(reading=reading)
-        for colour, gap in zip(COLOURS, rows.different("c")):
-            n, status = rows.where(c=gap).numbers("N", "average status [%]")
-            top = rows.where(c=gap).numbers("N", "top [%]")
-            axes.plot(n, status, "o-", color=colour, label=f"c = {gap}")
-            axes.plot(*top, "o:", color=colour, ms=3)
-        axes.set(xlabel="N", ylabel="average status, on top (dotted) [%]", title=reading, ylim=(0, 103))
-    axes.legend(fontsize=7)
-    figure.suptitle("F-density (Figure 9), by reading")
+        for colour, mark, gap in zip(COLOURS, "o^sDv", rows.different("c")):
+            of_gap = rows.where(c=gap)
+            top_axes.plot(*of_gap.numbers("N", "top [%]"), mark + "-", color=colour, ms=5, label=f"c = {gap}")
+            status_axes.plot(*of_gap.numbers("N", "average status [%]"), mark + "-", color=colour, ms=5)
+        top_axes.set(title=reading, ylim=(0, 103))
+        status_axes.set(xlabel="N", ylim=(0, None))
+    tops[0].set_ylabel("on top [%]")
+    status[0].set_ylabel("average status [%]")
+    figure.legend(*tops[0].get_legend_handles_labels(), loc="outside lower center", ncols=5)
+    figure.suptitle("F-density (Figure 9), by reading; where the lines of all c are one, c has no effect")
 
 
-def regular(table, axes):
+def regular(table, figure):
+    plain, logarithm = figure.subplots(1, 2)
     for colour, reading in zip(COLOURS, table.different("reading")):
         rows = table.where(reading=reading)
-        y, eta = rows.numbers("|Y|", "eta = |Y| / N")
-        axes.plot(y, eta, "o-", color=colour, label=f"eta, {reading}")
-        axes.plot(*rows.numbers("|Y|", "log10 eta"), "o:", color=colour, label="log10 eta")
-        axes.axhline(sum(eta) / len(eta), color=colour, ls="--", lw=0.8)
-    axes.set(xlabel="|Y|", ylabel="eta", title="F-regular (Figure 10)", yscale="symlog")
-    axes.legend()
+        for axes, column in ((plain, "eta = |Y| / N"), (logarithm, "log10 eta")):
+            y, value = rows.numbers("|Y|", column)
+            axes.plot(y, value, "o-", color=colour, label=reading)
+            axes.axhline(sum(value) / len(value), color=colour, ls="--", lw=0.8)
+            axes.set(xlabel="|Y|", ylabel=column)
+    plain.legend()
+    figure.suptitle("F-regular (Figure 10); dashed: means")
 
 
 def evolve(table, figure):
@@ -166,20 +174,25 @@ def evolve(table, figure):
 
 def evolve_rounds(table, figure):
     families = table.different("family")
-    columns = min(4, len(families))
-    grid = figure.subplots(-(-len(families) // columns), columns, squeeze=False)
-    for axes in list(grid.flat)[len(families):]:
-        axes.axis("off")
-    for axes, family in zip(grid.flat, families):
-        rows = table.where(family=family)
-        for colour, way in zip(COLOURS, rows.different("rounds go")):
-            vertices, mean = rows.where(rounds_go=way).numbers("vertices", "rounds, mean")
-            axes.loglog(vertices, mean, "o-", color=colour, label=way)
-        if len(rows.different("vertices")) > 1:
+    networks = [f for f in families if len(table.where(family=f).different("vertices")) == 1]
+    families = [f for f in families if f not in networks]
+    upper, lower = figure.subfigures(2, 1) if networks and families else (figure, figure)
+    ways = dict(zip(table.different("rounds go"), zip(COLOURS, "ov^sDPX")))
+    if families:
+        for axes, family in zip(upper.subplots(1, len(families), squeeze=False).flat, families):
+            rows = table.where(family=family)
+            for way, (colour, mark) in ways.items():
+                vertices, mean = rows.where(rounds_go=way).numbers("vertices", "rounds, mean")
+                axes.loglog(vertices, mean, mark + "-", color=colour, label=way, ms=5)
             axes.loglog(*rows.numbers("vertices", "bound (V - 1)"), "--", color="0.5", label="V - 1")
-        axes.set(xlabel="vertices", title=family[:24])
-        axes.set_ylabel("rounds")
-    grid.flat[0].legend(fontsize=6)
+            axes.set(xlabel="vertices", ylabel="rounds", title=family)
+    if networks:
+        axes = lower.subplots()
+        for way, (colour, mark) in ways.items():
+            rounds = [table.where(family=f, rounds_go=way).numbers("rounds, mean")[0] for f in networks]
+            axes.semilogy([f[:14] for f in networks], [r[0] for r in rounds], mark, color=colour, label=way, ms=6)
+        axes.set(ylabel="rounds", title="road networks")
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=8)
     figure.suptitle("evolve-rounds")
 
 
@@ -206,13 +219,57 @@ def city_dynamic(table, axes):
     axes.set(ylabel="pairs that arrive earliest [%]", title="city-dynamic", ylim=(0, 102))
 
 
+def score(table, figure):
+    systems = table.different("system")
+    axes_of = figure.subplots(2, len(systems), squeeze=False)
+    for row, column in zip(axes_of, ["eta = w_max / |w|", "standard deviation / mean"]):
+        for axes, system in zip(row, systems):
+            value, excess, width = table.where(system=system).numbers(
+                column, "hybrid over optimum [%]", "95 % half width, over [%]")
+            axes.errorbar(value, excess, width, fmt="o", ms=4, lw=0.8, color=COLOURS[0])
+            axes.set(xlabel=column, ylabel="hybrid over optimum [%]", title=system, ylim=(0, None))
+            if column.startswith("eta"):
+                axes.set_xscale("log")
+    figure.suptitle("score: does eta, read off the weights, tell how far hybrid is from the optimum?")
+
+
+def crew(table, axes):
+    for colour, (mean, width, name) in zip(COLOURS, [
+            ("table: arrived [%]", "95 % half width [%]", "with the reserve table"),
+            ("no table: arrived [%]", "95 % half width, none [%]", "without, each on its fewest-arc path")]):
+        axes.errorbar(*table.numbers("vehicles", mean, width), fmt="o-", color=colour, label=name)
+    axes.set(xlabel="vehicles", ylabel="arrived [%]", title="crew in a narrow space", ylim=(0, 105))
+    axes.legend()
+
+
+def memory(table, figure):
+    loads = table.different("load [cost a vehicle]")
+    renewals = table.different("renewed a day [%]")
+    for row, load in zip(figure.subplots(len(loads), len(renewals), squeeze=False, sharey="row"), loads):
+        for axes, renewed in zip(row, renewals):
+            rows = Table.__new__(Table)
+            rows.rows = [r for r in table.rows
+                         if r["load [cost a vehicle]"] == load and r["renewed a day [%]"] == renewed]
+            for style, vehicles in zip(["o-", "s--", "^:", "v-."], rows.different("vehicles")):
+                of_crew = rows.where(vehicles=vehicles)
+                for colour, name in zip(COLOURS, ["no", "own", "shared"]):
+                    day, excess = of_crew.numbers("day", f"{name} memory: over informed [%]")
+                    axes.plot(day, excess, style, color=colour, ms=4, label=f"{name} memory, {vehicles} vehicles")
+            axes.axhline(0, color="0.5", lw=0.8)
+            axes.set(xlabel="day", ylabel="over the informed crew [%]",
+                     title=f"{renewed} % of the roads change each night, load {load}")
+    figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3, fontsize=8)
+    figure.suptitle("memory: what a crew's ways cost")
+
+
 # name of the CSV: (what draws it, whether it wants the whole figure)
 FIGURES = {
     "runtime": (runtime, False), "enumerate": (enumerate_, False), "polygon": (polygon, False),
     "triangle": (triangle, False), "greedy": (greedy, True), "dynamic": (dynamic, False),
-    "density": (density, True), "regular": (regular, False), "evolve": (evolve, True),
+    "density": (density, True), "regular": (regular, True), "evolve": (evolve, True),
     "evolve-rounds": (evolve_rounds, True), "city-regions": (city_regions, True),
-    "city-dynamic": (city_dynamic, False),
+    "city-dynamic": (city_dynamic, False), "score": (score, True), "crew": (crew, False),
+    "memory": (memory, True),
 }
 
 

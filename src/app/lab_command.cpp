@@ -24,8 +24,8 @@ void print_list() {
 
 Options options_of(const lab::Experiment& experiment) {
   std::vector<OptionSpec> specs;
-  for (const auto& [name, type, default_value, help] : experiment.parameters)
-    specs.push_back({"experiment", name, 0, type, default_value, help});
+  for (const auto& [name, type, default_value, help, short_name] : experiment.parameters)
+    specs.push_back({"experiment", name, short_name, type, default_value, help});
   specs.push_back({"input", "configuration-file", 'c', "FILE", "", "Parameters from a file"});
   specs.push_back({"output", "output", 'o', "FILE", "", "The table as CSV"});
   specs.push_back({"processing", "seed", 0, "INT", "23423", "All that is drawn comes from it"});

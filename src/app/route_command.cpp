@@ -54,6 +54,10 @@ const auto any_root = [](const xml::Element&) {};
 std::unique_ptr<TripRouter> make_router(const Network& network, const Options& options) {
   const auto threads = options.count("threads");
   verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
+  for (const auto& entry : strategies()) {
+    verify(entry.name != options.text("strategy") || !entry.needs_simulation,
+           fmt::format("--strategy {}: it watches a simulation and is for 'thalweg run'", entry.name));
+  }
   auto strategy =
       make_strategy(options.text("strategy"), {.rule = {.relative = 0, .spread = 0, .absolute = 0},
                                                .threads = threads,

@@ -10,7 +10,7 @@ struct BoostDijkstra::Graph {
   using Rows = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
                                                   boost::no_property, std::uint32_t, std::uint32_t>;
   Rows rows;
-  std::vector<Millis> costs;  ///< in the rows' order
+  std::vector<std::int32_t> costs;  ///< in the rows' order; as narrow as those of the other engines
   std::vector<Millis> labels;
   std::vector<std::uint32_t> parents;
 };
@@ -35,7 +35,7 @@ BoostDijkstra::BoostDijkstra(const Digraph& graph, std::span<const std::int32_t>
 
 BoostDijkstra::~BoostDijkstra() = default;
 
-const std::vector<Millis>& BoostDijkstra::run(VertexId source) {
+void BoostDijkstra::run(VertexId source) {
   auto& [rows, costs, labels, parents] = *graph_;
   const auto vertex_index = boost::get(boost::vertex_index, rows);
   const auto edge_index = boost::get(boost::edge_index, rows);
@@ -44,7 +44,8 @@ const std::vector<Millis>& BoostDijkstra::run(VertexId source) {
       boost::weight_map(boost::make_iterator_property_map(costs.cbegin(), edge_index))
           .distance_map(boost::make_iterator_property_map(labels.begin(), vertex_index))
           .predecessor_map(boost::make_iterator_property_map(parents.begin(), vertex_index)));
-  return labels;
 }
+
+const std::vector<Millis>& BoostDijkstra::labels() const { return graph_->labels; }
 
 }  // namespace thalweg::lab

@@ -20,8 +20,9 @@ class BoostDijkstra {
   BoostDijkstra& operator=(const BoostDijkstra&) = delete;
   ~BoostDijkstra();
 
-  /// Labels of all vertices; unreached ones have the greatest Millis.
-  const std::vector<Millis>& run(VertexId source);
+  void run(VertexId source);
+  /// Of all vertices, from the last run; unreached ones have the greatest Millis.
+  [[nodiscard]] const std::vector<Millis>& labels() const;
 
  private:
   struct Graph;

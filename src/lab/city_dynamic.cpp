@@ -162,7 +162,7 @@ Report run(const Run& run) {
 Experiment city_dynamic_experiment() {
   return {.name = "city-dynamic",
           .summary = "one label a vertex against the earliest arrival, in recorded traffic",
-          .parameters = {{"net-file", "FILE", "", "The network"},
+          .parameters = {{"net-file", "FILE", "", "The network", 'n'},
                          {"edgedata-file", "FILE", "", "SUMO's edgeData output with intervals (freq)"},
                          {"vclass", "STR", "passenger", "Vehicle class"},
                          {"horizon", "INT", "7200", "Seconds after departure that the exact search goes to"}},

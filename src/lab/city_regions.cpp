@@ -146,8 +146,8 @@ Report run(const Run& run) {
                            "95 % half width [%]", "excess, mean [%]", "95 % half width, excess [%]",
                            "excess, greatest [%]", "evolution rounds, mean", "95 % half width, rounds",
                            "labels lowered [%]", "95 % half width, lowered [%]"}};
-  const auto files = file_list(run.parameters.text("net-files"));
-  verify(!files.empty(), "no network: name some with --net-files a.net.xml,b.net.xml.gz");
+  const auto files = file_list(run.parameters.text("net-file"));
+  verify(!files.empty(), "no network: name some with --net-file a.net.xml,b.net.xml.gz");
   for (const std::string& file : files) add_city(run, file, report);
   report.notes.emplace_back(
       "from random roads to every road they reach, at free flow; turns apart: the fewest turns between them");
@@ -159,7 +159,7 @@ Report run(const Run& run) {
 Experiment city_regions_experiment() {
   return {.name = "city-regions",
           .summary = "how often the path with the fewest turns is the best one on real road networks",
-          .parameters = {{"net-files", "FILE", "", "Road networks, by comma"},
+          .parameters = {{"net-file", "FILE", "", "Road networks, by comma", 'n'},
                          {"vclass", "STR", "passenger", "Vehicle class"}},
           .repetitions = 200,
           .run = run};

@@ -46,4 +46,15 @@ DynamicGrid::Position DynamicGrid::rank_linear(std::int64_t factor, Dice& dice, 
   return ranked(LinearWeight{.factor = factor}, scratch);
 }
 
+DynamicGrid::Position DynamicGrid::rank_steps(const std::vector<std::int64_t>& array, std::size_t steps,
+                                              Dice& dice, Scratch& scratch) const {
+  deal_indices(1, dice, scratch);
+  StepWeight weight;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    weight.from.push_back(static_cast<std::int64_t>(i * full_row() / (steps + 1)));
+    weight.weights.push_back(dice.pick(array));
+  }
+  return ranked(weight, scratch);
+}
+
 }  // namespace thalweg::lab

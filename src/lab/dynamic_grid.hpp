@@ -42,6 +42,10 @@ class DynamicGrid {
   /// The same without a table: w = factor x I.
   [[nodiscard]] Position rank_linear(std::int64_t factor, Dice& dice, Scratch& scratch) const;
 
+  /// The same with weights that are alike at every vertex and change at `steps` indices, evenly spaced.
+  [[nodiscard]] Position rank_steps(const std::vector<std::int64_t>& array, std::size_t steps, Dice& dice,
+                                    Scratch& scratch) const;
+
   /// As long as the greatest index of a fewest-arc path asks for.
   [[nodiscard]] std::size_t full_row() const { return 2 * (side_ - 1) * side_ + 1; }
   /// What one worker holds: the table, and up to all (index, weight) pairs of a region.

@@ -116,7 +116,7 @@ Report run(const Run& run) {
   for (const std::string_view family : split(run.parameters.text("family"), ", ")) {
     for (const std::uint64_t size : sizes) run_family(run, family, size, report);
   }
-  for (const std::string& file : file_list(run.parameters.text("net-files"))) run_network(run, file, report);
+  for (const std::string& file : file_list(run.parameters.text("net-file"))) run_network(run, file, report);
   report.notes.emplace_back("rounds: the last one, which finds nothing to change, included");
   return report;
 }
@@ -128,7 +128,7 @@ Experiment evolve_rounds_experiment() {
           .summary = "how many rounds evolution takes, by graph, way of updating and order of the vertices",
           .parameters = {{"vertices", "LIST", "100,400,1600,6400", "About so many"},
                          {"family", "STR", "grid,random,chain", "Kinds of graph; '' for none"},
-                         {"net-files", "FILE", "", "Road networks beside them, by comma"}},
+                         {"net-file", "FILE", "", "Road networks beside them, by comma", 'n'}},
           .repetitions = 10,
           .run = run};
 }

@@ -20,6 +20,7 @@ struct Parameter {
   std::string type;  ///< INT, FLOAT, BOOL, STR, FILE; LIST: whole numbers "2,5,10..50/10"
   std::string default_value;
   std::string help;
+  char short_name = 0;
 };
 
 /// The values of an experiment's parameters, by name. The getters throw InputError, naming the parameter.
@@ -90,7 +91,8 @@ void verify_grid(std::uint64_t side, double bytes_per_vertex);
 /// InputError when `bytes` are more than this machine has.
 void verify_memory(std::string_view what, double bytes);
 
-/// Seconds since the call before it (or since it was made).
+/// CPU time of the calling thread since the call before it (or since it was made): what else runs on the
+/// machine is not counted, only what it does to the caches.
 class StopWatch {
  public:
   StopWatch();

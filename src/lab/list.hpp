@@ -19,6 +19,8 @@ Experiment evolve_experiment();
 Experiment evolve_rounds_experiment();
 Experiment city_regions_experiment();
 Experiment city_dynamic_experiment();
+Experiment live_score_experiment();
 Experiment crew_experiment();
+Experiment memory_experiment();
 
 }  // namespace thalweg::lab

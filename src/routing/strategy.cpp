@@ -20,11 +20,12 @@ bool ChoiceRule::prefers(const Traveller& traveller, Millis old_cost, Millis new
 }
 
 std::span<const StrategyEntry> strategies() {
-  static constexpr std::array<StrategyEntry, 4> list{{
+  static constexpr std::array<StrategyEntry, 5> list{{
       {"hybrid", "fewest turns, then least time (the paper's hybrid algorithm)", &make_hybrid},
       {"evolved", "the hybrid's tree evolved to the optimum (the paper's evolutionary hybrid)",
        &make_evolved},
       {"cch", "the same optimum by a customizable contraction hierarchy: fast on large nets", &make_cch},
+      {"forecast", "least time by a forecast of where the queues will be", &make_forecast, true},
       {"dijkstra", "least time by Dijkstra's algorithm, to compare with", &make_dijkstra},
   }};
   return list;

@@ -9,7 +9,9 @@
 
 #include "cch/order_cache.hpp"
 #include "core/time.hpp"
+#include "demand/demand.hpp"
 #include "graph/road_graph.hpp"
+#include "traffic/fleet.hpp"
 
 namespace thalweg {
 
@@ -28,6 +30,7 @@ struct Traveller {
   std::vector<VertexId> route;      ///< its present way, from the first road whose next turn is still free
   std::vector<VertexId> waypoints;  ///< roads it must pass in this order: stops, `via`; last its destination
   Millis until_route = 0;           ///< from now until it enters route.front()
+  double driven = 0;                ///< share of route.front() that lies behind it
   double patience = 0;              ///< in [0, 1), fixed for each vehicle by a hash of its name
   bool departed = true;
 };
@@ -52,10 +55,25 @@ struct ChoiceRule {
   [[nodiscard]] bool prefers(const Traveller& traveller, Millis old_cost, Millis new_cost) const;
 };
 
+/// What the control loop knows of the traffic after a look at it.
+struct TrafficState {
+  Millis now = 0;
+  const Network& network;
+  const Demand& demand;
+  const Fleet& fleet;
+  const MeasuredTimes& measured;
+  const IdVector<SignalId, SignalProgramme>& programmes;
+  std::span<const SignalId> changed_signals;  ///< those whose programme is new
+};
+
 /// Decides for everyone who is due, as one batch a control period.
 class Strategy {
  public:
   virtual ~Strategy() = default;
+  /// Whether `watch` wants to be called: keeping the fleet costs time.
+  [[nodiscard]] virtual bool looks_ahead() const { return false; }
+  /// After every look at the traffic, before those who are due decide.
+  virtual void watch(const TrafficState& /*state*/) {}
   /// decisions[i] belongs to due[i]. The result does not depend on the number of threads.
   virtual void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
                       std::vector<Decision>& decisions) = 0;
@@ -72,6 +90,7 @@ struct StrategyEntry {
   std::string_view name;
   std::string_view summary;
   std::unique_ptr<Strategy> (*make)(const StrategyOptions&);
+  bool needs_simulation = false;  ///< it decides by what it has watched: nothing for `thalweg route`
 };
 std::span<const StrategyEntry> strategies();
 

@@ -10,6 +10,7 @@ LIGHT = PROJECT / "scenarios" / "grid" / "light.sumocfg"
 EAGER = ("--gain.relative", 0, "--gain.spread", 0, "--gain.absolute", 0, "--period", 10)  # changes often
 
 
+@expand
 class GridLight(support.RunCase):
     """The sample city."""
 
@@ -26,10 +27,11 @@ class GridLight(support.RunCase):
         changed = sum(decision.get("changed") == "true" for decision in run.decisions())
         self.assertEqual(run.summary["reroutes"], changed)
 
-    def test_same_seed_same_bytes(self):
+    @on_each(("evolved", "forecast"))
+    def test_same_seed_same_bytes(self, strategy):
         files = ("tripinfo.xml", "vehroute.xml", "decisions.xml")
         first, again, threads, other = (
-            [without_comments(self.run_city("-c", LIGHT, *more).folder / file) for file in files]
+            [without_comments(self.run_city("-c", LIGHT, "--strategy", strategy, *more).folder / file) for file in files]
             for more in ((), (), ("--threads", 2), ("--seed", 1)))
         self.assertEqual(first, again)
         self.assertEqual(first, threads)

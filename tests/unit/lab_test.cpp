@@ -71,7 +71,8 @@ TEST(Experiments, HaveDifferentNamesAndAreFoundByThem) {
 }
 
 TEST(Experiments, RefuseGridsThatAreNoneOrDoNotFit) {
-  for (const char* name : {"enumerate", "runtime", "greedy", "evolve", "dynamic", "density", "regular"}) {
+  for (const char* name : {"enumerate", "runtime", "greedy", "evolve", "dynamic", "density", "regular",
+                           "crew", "memory", "score"}) {
     for (const char* side : {"0", "1"})
       EXPECT_NE(message_of([&] { run(name, {{"size", side}}); }).find("side"), std::string::npos) << name;
     EXPECT_NE(message_of([&] { run(name, {{"size", "1000000"}}); }).find("GB"), std::string::npos) << name;
@@ -88,7 +89,10 @@ TEST(Experiments, DoNotDependOnTheNumberOfThreads) {
                                                           {"density", {{"size", "4"}, {"weights", "10"}}},
                                                           {"regular", {{"size", "4"}, {"y", "5"}}},
                                                           {"evolve", {{"size", "6"}}},
-                                                          {"evolve-rounds", {{"vertices", "30"}}}};
+                                                          {"evolve-rounds", {{"vertices", "30"}}},
+                                                          {"score", {{"size", "5"}, {"y", "9"}}},
+                                                          {"crew", {{"size", "4"}}},
+                                                          {"memory", {{"size", "4"}, {"vehicles", "3"}}}};
   for (const auto& [name, values] : small) {
     const std::string one = run(name, values, 9, 1).csv();
     EXPECT_EQ(one, run(name, values, 9, 3).csv()) << name;

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/time.hpp"
+#include "graph/digraph.hpp"
+#include "search/regions.hpp"
+#include "search/tree.hpp"
+
+namespace thalweg {
+
+/// Storage of `partition_and_hybrid`, to be reused; one a thread. What a search asks about a vertex lies in
+/// 16 bytes: on large graphs the pages that are touched cost more than the bytes.
+struct OnePassScratch {
+  struct Mark {
+    Millis label = infinity;
+    ArcId parent;
+    std::uint32_t number = 0;
+  };
+  IdVector<VertexId, Mark> marks;
+};
+
+/// `partition` and `hybrid` (minimum) at once, with the same result to the last parent: all labels of a
+/// region are final once the region before it has been left, so they can be offered to the next region while
+/// that is found. The arcs are read once, in the order in which the search leaves its vertices, instead of
+/// twice.
+template <Direction direction, ArcCost C>
+void partition_and_hybrid(const Digraph& graph, std::span<const VertexId> sources, const C& cost,
+                          Regions& regions, Tree& tree, OnePassScratch& scratch) {
+  const std::size_t count = graph.vertex_count();
+  auto& marks = scratch.marks;
+  auto& order = regions.order;
+  marks.assign(count, {});
+  order.resize(count);
+  regions.first.assign(1, 0);
+  std::uint32_t size = 0;
+  for (const VertexId source : sources) {
+    if (marks[source].number != 0) continue;
+    marks[source] = {.label = 0, .parent = {}, .number = 1};
+    order[size++] = source;
+  }
+  for (std::uint32_t i = 0; i < size;) {
+    const std::uint32_t end = size;
+    regions.first.push_back(end);
+    const std::uint32_t next = regions.count() + 1;
+    for (; i < end; ++i) {
+      const VertexId u = order[i];
+      const Millis label = marks[u].label;
+      for (const Arc& arc : graph.leaving<direction>(u)) {
+        auto& mark = marks[arc.end];
+        if (mark.number != 0 && mark.number != next) continue;
+        const Millis candidate = label + cost(arc.id);  // two infinities do not overflow
+        const bool open = candidate < infinity;
+        if (mark.number == 0) {
+          mark = {.label = open ? candidate : infinity, .parent = open ? arc.id : ArcId{}, .number = next};
+          order[size++] = arc.end;
+        } else if (candidate < mark.label || (candidate == mark.label && open && arc.id < mark.parent)) {
+          mark.label = candidate;  // of equals the lowest arc
+          mark.parent = arc.id;
+        }
+      }
+    }
+  }
+  order.resize(size);
+  tree.label.resize(count);
+  tree.parent.resize(count);
+  regions.number.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const VertexId v{i};
+    const auto& mark = marks[v];
+    tree.label[v] = mark.label;
+    tree.parent[v] = mark.parent;
+    regions.number[v] = mark.number;
+  }
+}
+
+}  // namespace thalweg
