@@ -20,7 +20,8 @@ constexpr ChoiceRule any_gain{.relative = 0, .spread = 0, .absolute = 0};
 /// Those that find the way of least cost; the others may be above it.
 constexpr std::array<std::string_view, 4> exact_strategies{"evolved", "cch", "hierarchy", "dijkstra"};
 
-/// Those that decide by the live times alone, and the hierarchy without the trees that `cch` prefers for cities as small as these.
+/// Those that decide by the live times alone, and the hierarchy without the trees that `cch` prefers for
+/// cities as small as these.
 std::vector<StrategyEntry> strategies_under_test() {
   std::vector<StrategyEntry> entries(strategies().begin(), strategies().end());
   std::erase_if(entries, [](const StrategyEntry& entry) { return entry.needs_simulation; });
