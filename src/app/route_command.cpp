@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/order_cache_option.hpp"
 #include "app/start.hpp"
 #include "core/error.hpp"
-#include "core/nearest.hpp"
 #include "core/number.hpp"
-#include "graph/road_graph.hpp"
+#include "demand/flow.hpp"
+#include "demand/vehicle_types.hpp"
 #include "network/read_network.hpp"
-#include "routing/strategy.hpp"
-#include "traffic/weight_file.hpp"
+#include "routing/trip_router.hpp"
 #include "xml/node.hpp"
 
 namespace thalweg {
@@ -19,176 +22,215 @@ namespace {
 Options route_options() {
   const TurnPenalties penalties;
   const auto seconds = [](Millis t) { return fmt::format("{}", to_seconds(t)); };
-  return {"route",
-          "routes on a network, without SUMO",
-          {{"configuration", "configuration-file", 'c', "FILE", "", "Takes options from this file"},
-           {"input", "net-file", 'n', "FILE", "", "The network"},
-           {"input", "from", 0, "STR", "", "Routes from this road"},
-           {"input", "to", 0, "STR", "", "to this road"},
-           {"input", "route-files", 'r', "FILE", "", "Routes these trips (with from, to and via)"},
-           {"input", "weight-files", 'w', "FILE", "", "Travel times of the roads"},
-           {"output", "output-file", 'o', "FILE", "", "The vehicles with their routes"},
-           {"output", "write-costs", 0, "BOOL", "false", "Writes the cost of each route [s]"},
-           {"time", "begin", 'b', "TIME", "0", "The time whose weights are used"},
-           {"routing", "strategy", 0, "STR", "evolved", "hybrid, evolved or dijkstra"},
-           {"routing", "vclass", 0, "STR", "passenger", "The vehicle class"},
-           {"routing", "weights.minor-penalty", 0, "TIME", seconds(penalties.minor),
-            "Penalty for a turn that gives way"},
-           {"routing", "weights.turnaround-penalty", 0, "TIME", seconds(penalties.turnaround),
-            "Penalty for a turn-around"},
-           {"routing", "weights.tls-penalty", 0, "TIME", seconds(penalties.signal),
-            "Penalty for a signalled turn"},
-           {"processing", "ignore-errors", 0, "BOOL", "false",
-            "Leaves out what cannot be routed, with a warning"},
-           {"processing", "threads", 0, "INT", "1", "Threads; the result does not depend on them"}}};
+  return {
+      "route",
+      "routes on a network, without SUMO",
+      {{"configuration", "configuration-file", 'c', "FILE", "", "Takes options from this file"},
+       {"input", "net-file", 'n', "FILE", "", "The network"},
+       {"input", "from", 0, "STR", "", "Routes from this road"},
+       {"input", "to", 0, "STR", "", "to this road"},
+       {"input", "route-files", 'r', "FILE", "", "Routes these trips and flows; vehicles keep their routes"},
+       {"input", "additional-files", 'a', "FILE", "", "Vehicle types are read from these as well"},
+       {"input", "weight-files", 'w', "FILE", "", "Travel times of the roads"},
+       {"output", "output-file", 'o', "FILE", "", "The vehicles with their routes"},
+       {"output", "write-costs", 0, "BOOL", "false", "Writes the cost of each route [s]"},
+       {"time", "begin", 'b', "TIME", "0", "The time whose weights are used"},
+       {"routing", "strategy", 0, "STR", "cch", "hybrid, evolved, cch or dijkstra"},
+       {"routing", "vclass", 0, "STR", "passenger", "The class of trips without a type"},
+       {"routing", "weights.minor-penalty", 0, "TIME", seconds(penalties.minor),
+        "Penalty for a turn that gives way"},
+       {"routing", "weights.turnaround-penalty", 0, "TIME", seconds(penalties.turnaround),
+        "Penalty for a turn-around"},
+       {"routing", "weights.tls-penalty", 0, "TIME", seconds(penalties.signal),
+        "Penalty for a signalled turn"},
+       {"processing", "ignore-errors", 0, "BOOL", "false",
+        "Leaves out what cannot be routed, with a warning"},
+       no_cache_option(),
+       {"processing", "threads", 0, "INT", "1", "Threads; the result does not depend on them"}}};
 }
 
-class Router {
- public:
-  explicit Router(const Options& options) : options_(options) {
-    const Stage stage(fmt::format("Loading net-file from '{}'", options.text("net-file")));
-    network_ = read_network(options.text("net-file"));
-    for (const auto& warning : network_.warnings) warn(warning);
-    for (const auto& [id, road] : network_.road_ids) road_names_.push_back(id);
-    const auto vehicle_class = parse_vehicle_class(options.text("vclass"));
-    verify(vehicle_class.has_value(),
-           fmt::format("--vclass {}: nobody knows this vehicle class", options.text("vclass")));
-    graph_ = std::make_unique<RoadGraph>(network_, *vehicle_class);
-    ClassTraffic traffic{.graph = graph_.get(), .free_flow = {}, .road_times = {}, .turn_costs = {}};
-    traffic.free_flow = free_flow_times(network_, *vehicle_class, default_max_speed(*vehicle_class),
-                                        {.minor = options.time("weights.minor-penalty"),
-                                         .turnaround = options.time("weights.turnaround-penalty"),
-                                         .signal = options.time("weights.tls-penalty")});
-    traffic.road_times = traffic.free_flow;
-    for (const auto& file : file_list(options.text("weight-files"))) {
-      apply_weight_file(file, network_, options.time("begin"), traffic.road_times);
-    }
-    turn_costs(*graph_, traffic.road_times, traffic.turn_costs);
-    traffic_.push_back(std::move(traffic));
-    const auto threads = options.count("threads");
-    verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
-    strategy_ = make_strategy(options.text("strategy"),
-                              {.rule = {.relative = 0, .spread = 0, .absolute = 0}, .threads = threads});
+const auto any_root = [](const xml::Element&) {};
+
+std::unique_ptr<TripRouter> make_router(const Network& network, const Options& options) {
+  const auto threads = options.count("threads");
+  verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
+  for (const auto& entry : strategies()) {
+    verify(entry.name != options.text("strategy") || !entry.needs_simulation,
+           fmt::format("--strategy {}: it watches a simulation and is for 'thalweg run'", entry.name));
   }
+  auto strategy =
+      make_strategy(options.text("strategy"), {.rule = {.relative = 0, .spread = 0, .absolute = 0},
+                                               .threads = threads,
+                                               .order_cache = order_cache(options)});
+  return std::make_unique<TripRouter>(
+      network,
+      TripRouter::Setting{.penalties = {.minor = options.time("weights.minor-penalty"),
+                                        .turnaround = options.time("weights.turnaround-penalty"),
+                                        .signal = options.time("weights.tls-penalty")},
+                          .weight_files = file_list(options.text("weight-files")),
+                          .time = options.time("begin")},
+      std::move(strategy));
+}
 
-  /// Adds a trip; what is wrong with it is returned, and nothing when it is well.
-  std::string add(std::string_view from, std::string_view to, std::string_view via) {
-    Traveller traveller;
-    std::vector<std::string_view> roads = split(via, " ");
-    roads.insert(roads.begin(), from);
-    roads.push_back(to);
-    for (const auto name : roads) {
-      const auto road = network_.find_road(name);
-      if (!road)
-        return fmt::format("the edge '{}' is not in the net{}", name, did_you_mean(name, road_names_));
-      const VertexId vertex = graph_->vertex(*road);
-      if (!vertex.valid()) return fmt::format("the edge '{}' is within a junction", name);
-      if (!graph_->permitted(vertex)) {
-        return fmt::format("the edge '{}' is forbidden for the class '{}'", name, options_.text("vclass"));
-      }
-      if (traveller.route.empty()) {
-        traveller.route.push_back(vertex);
-      } else if (vertex !=
-                 (traveller.waypoints.empty() ? traveller.route.front() : traveller.waypoints.back())) {
-        traveller.waypoints.push_back(vertex);
-      }
-    }
-    travellers_.push_back(std::move(traveller));
-    return {};
-  }
+/// What drives when no type says otherwise.
+DrivenType typeless(const Options& options) {
+  const auto vehicle_class = parse_vehicle_class(options.text("vclass"));
+  verify(vehicle_class.has_value(),
+         fmt::format("--vclass {}: nobody knows this vehicle class", options.text("vclass")));
+  return {.id = {}, .vehicle_class = *vehicle_class, .max_speed = default_max_speed(*vehicle_class)};
+}
 
-  void route() { strategy_->decide(traffic_, travellers_, decisions_); }
-
-  /// Of the i-th trip added; nullopt: there is no way.
-  [[nodiscard]] std::optional<std::pair<std::string, Millis>> result(std::size_t i) const {
-    const Traveller& traveller = travellers_[i];
-    if (traveller.waypoints.empty()) {  // from a road to itself
-      return std::pair{network_.roads[graph_->road(traveller.route.front())].id,
-                       traffic_.front().road_times[graph_->road(traveller.route.front())]};
-    }
-    if (decisions_[i].route.empty()) return std::nullopt;
-    std::string edges;
-    for (const VertexId vertex : decisions_[i].route) {
-      if (!edges.empty()) edges += ' ';
-      edges += network_.roads[graph_->road(vertex)].id;
-    }
-    return std::pair{std::move(edges), decisions_[i].new_cost};
-  }
-
- private:
-  const Options& options_;
-  Network network_;
-  std::vector<std::string> road_names_;
-  std::unique_ptr<RoadGraph> graph_;
-  std::vector<ClassTraffic> traffic_;
-  std::unique_ptr<Strategy> strategy_;
-  std::vector<Traveller> travellers_;
-  std::vector<Decision> decisions_;
-};
-
-int route_pair(Router& router, const Options& options) {
-  const auto problem = router.add(options.text("from"), options.text("to"), "");
+int route_pair(TripRouter& router, const Options& options) {
+  const std::array<std::string_view, 2> ends{options.text("from"), options.text("to")};
+  const DrivenType type = typeless(options);
+  const auto problem = router.add(type.vehicle_class, type.max_speed, ends);
   verify(problem.empty(), problem);
   router.route();
   const auto found = router.result(0);
-  verify(found.has_value(),
-         fmt::format("there is no way from '{}' to '{}'", options.text("from"), options.text("to")));
-  fmt::print("{}\ncost {} s\n", found->first, fmt::format("{:.3f}", to_seconds(found->second)));
+  verify(found.has_value(), fmt::format("there is no way from '{}' to '{}'", ends[0], ends[1]));
+  fmt::print("{}\ncost {} s\n", found->edges, fmt::format("{:.3f}", to_seconds(found->cost)));
   return 0;
 }
 
-int route_trips(Router& router, const Options& options) {
-  verify(!options.text("output-file").empty(), "no output-file: name it with -o");
-  std::vector<xml::Node> trips;
-  std::vector<xml::Node> others;  // types
-  const bool ignore_errors = options.flag("ignore-errors");
-  const auto give_up = [&](const xml::Node& node, const std::string& problem) {
-    if (!ignore_errors) throw node.error(problem);
-    warn(node.error(problem).what());
-  };
-  for (const auto& file : file_list(options.text("route-files"))) {
-    xml::read_nodes(
-        file, [](const xml::Element&) {},
-        [&](xml::Node& node) {
-          if (node.name == "vType" || node.name == "vTypeDistribution") {
-            others.push_back(std::move(node));
-          } else if (node.name == "trip") {
-            const auto problem =
-                router.add(node.require("from"), node.require("to"), node.value_or("via", ""));
-            if (problem.empty()) {
-              trips.push_back(std::move(node));
-            } else {
-              give_up(node, problem);
-            }
-          } else {
-            give_up(node, "only <trip> is routed here");
-          }
-        });
+/// A demand file by file: read, routed as one batch, written in the order of departure.
+class DemandRoute {
+ public:
+  DemandRoute(TripRouter& router, const Options& options)
+      : router_(router),
+        options_(options),
+        typeless_(typeless(options)),
+        ignore_errors_(options.flag("ignore-errors")) {}
+
+  void read_types(const std::string& file) {
+    xml::read_nodes(file, any_root, [&](const xml::Node& node) {
+      if (is_type(node)) types_.add(node);
+    });
   }
-  router.route();
-  xml::Writer writer(options.text("output-file"), options.header());
-  writer.open("routes");
-  for (const xml::Node& type : others) write_node(writer, type);
-  for (std::size_t i = 0; i < trips.size(); ++i) {
-    const auto found = router.result(i);
+
+  void read(const std::string& file) {
+    xml::read_nodes(file, any_root, [&](xml::Node& node) {
+      if (is_type(node) || node.name == "route" || node.name == "routeDistribution") {
+        if (is_type(node)) types_.add(node);
+        definitions_.push_back(std::move(node));
+      } else if (node.name == "flow") {
+        for (xml::Node& one : expand_flow(node)) take(std::move(one));
+      } else if (node.name == "trip" || node.name == "vehicle") {
+        take(std::move(node));
+      } else {
+        give_up(node, "only vehicles, trips and flows of them are routed here: let duarouter do this");
+      }
+    });
+  }
+
+  void write(const std::filesystem::path& file) {
+    router_.route();
+    std::stable_sort(vehicles_.begin(), vehicles_.end(),
+                     [](const Vehicle& a, const Vehicle& b) { return a.depart < b.depart; });
+    xml::Writer writer(file, options_.header());
+    writer.open("routes");
+    for (const xml::Node& definition : definitions_) write_node(writer, definition);
+    for (const Vehicle& vehicle : vehicles_) write_vehicle(writer, vehicle);
+    writer.commit();
+  }
+
+ private:
+  struct Vehicle {
+    xml::Node node;
+    Millis depart = 0;
+    std::optional<std::size_t> trip;  ///< number in the router; nothing: it brings its route
+  };
+
+  static bool is_type(const xml::Node& node) {
+    return node.name == "vType" || node.name == "vTypeDistribution";
+  }
+
+  void give_up(const xml::Node& node, const std::string& problem) const {
+    if (!ignore_errors_) throw node.error(problem);
+    warn(node.error(problem).what());
+  }
+
+  void take(xml::Node node) {
+    const bool has_route =
+        std::any_of(node.children.begin(), node.children.end(),
+                    [](const xml::Node& child) { return child.name.starts_with("route"); });
+    Vehicle vehicle{.node = std::move(node), .depart = 0, .trip = std::nullopt};
+    vehicle.depart = parse_time(vehicle.node.value_or("depart", "")).value_or(0);  // "triggered": first
+    if (!has_route && vehicle.node.find("route") == nullptr) {
+      const auto problem = add_trip(vehicle.node);
+      if (!problem.empty()) return give_up(vehicle.node, problem);
+      vehicle.trip = trips_++;
+    }
+    vehicles_.push_back(std::move(vehicle));
+  }
+
+  /// What is wrong with it; the type of a distribution is put in its place.
+  std::string add_trip(xml::Node& node) {
+    DrivenType type = typeless_;
+    if (const std::string* name = node.find("type")) {
+      const DrivenType* known = types_.find(*name, node.value_or("id", ""));
+      if (known == nullptr) return fmt::format("the vehicle type '{}' is not known", *name);
+      type = *known;
+      node.set("type", type.id);
+    }
+    std::vector<std::string_view> roads{node.require("from")};
+    for (const auto via : split(node.value_or("via", ""), " ,")) roads.push_back(via);
+    for (const xml::Node& child : node.children) {
+      if (child.name != "stop") continue;
+      if (child.find("edge") == nullptr && child.find("lane") == nullptr) {
+        return "a stop at a stopping place: let duarouter do this";
+      }
+      std::string_view road = child.value_or("edge", child.value_or("lane", ""));
+      if (child.find("edge") == nullptr) road = road.substr(0, road.rfind('_'));
+      if (std::find(roads.begin(), roads.end(), road) == roads.end()) roads.push_back(road);
+    }
+    roads.push_back(node.require("to"));
+    return router_.add(type.vehicle_class, type.max_speed, roads);
+  }
+
+  void write_vehicle(xml::Writer& writer, const Vehicle& vehicle) const {
+    const xml::Node& node = vehicle.node;
+    if (!vehicle.trip) return write_node(writer, node);
+    const auto found = router_.result(*vehicle.trip);
     if (!found) {
-      give_up(trips[i], fmt::format("there is no way from '{}' to '{}'", trips[i].require("from"),
-                                    trips[i].require("to")));
-      continue;
+      return give_up(
+          node, fmt::format("there is no way from '{}' to '{}'", node.require("from"), node.require("to")));
     }
     writer.open("vehicle");
-    for (const auto& [name, value] : trips[i].attributes) {
+    for (const auto& [name, value] : node.attributes) {
       if (name != "from" && name != "to" && name != "via") writer.attribute(name, value);
     }
     writer.open("route");
-    if (options.flag("write-costs"))
-      writer.attribute("cost", fmt::format("{:.3f}", to_seconds(found->second)));
-    writer.attribute("edges", found->first).close();
-    for (const xml::Node& child : trips[i].children) write_node(writer, child);
+    if (options_.flag("write-costs"))
+      writer.attribute("cost", fmt::format("{:.3f}", to_seconds(found->cost)));
+    writer.attribute("edges", found->edges).close();
+    for (const xml::Node& child : node.children) write_node(writer, child);
     writer.close();
   }
-  writer.commit();
+
+  TripRouter& router_;
+  const Options& options_;
+  DrivenType typeless_;
+  bool ignore_errors_;
+  VehicleTypes types_;
+  std::vector<xml::Node> definitions_;  ///< types and named routes, as they came
+  std::vector<Vehicle> vehicles_;
+  std::size_t trips_ = 0;
+};
+
+int route_demand(TripRouter& router, const Options& options) {
+  verify(!options.text("output-file").empty(), "no output-file: name it with -o");
+  DemandRoute demand(router, options);
+  for (const auto& file : file_list(options.text("additional-files"))) demand.read_types(file);
+  for (const auto& file : file_list(options.text("route-files"))) demand.read(file);
+  demand.write(options.text("output-file"));
   return 0;
+}
+
+Network load_network(const Options& options) {
+  const Stage stage(fmt::format("Loading net-file from '{}'", options.text("net-file")));
+  Network network = read_network(options.text("net-file"));
+  for (const auto& warning : network.warnings) warn(warning);
+  return network;
 }
 
 }  // namespace
@@ -200,8 +242,9 @@ int route_command(std::span<const std::string> arguments) {
   const bool pair = !options.text("from").empty() && !options.text("to").empty();
   verify(pair || !options.text("route-files").empty(),
          "what to route? Give --from and --to, or trips with -r");
-  Router router(options);
-  return pair ? route_pair(router, options) : route_trips(router, options);
+  const Network network = load_network(options);
+  const auto router = make_router(network, options);
+  return pair ? route_pair(*router, options) : route_demand(*router, options);
 }
 
 }  // namespace thalweg

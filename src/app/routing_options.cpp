@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/order_cache_option.hpp"
 #include "core/error.hpp"
 
 namespace thalweg {
@@ -36,6 +37,7 @@ std::vector<OptionSpec> routing_options() {
       {"routing", "threads", 0, "INT", "1", "Threads of the router; the result does not depend on them"},
       {"routing", "stall", 0, "TIME", seconds(control.stall),
        "A run without an end stops when nothing has arrived for so long"},
+      no_cache_option(),
   };
 }
 
@@ -65,7 +67,8 @@ StrategyOptions strategy_options(const Options& options) {
   return {.rule = {.relative = options.number("gain.relative"),
                    .spread = options.number("gain.spread"),
                    .absolute = options.time("gain.absolute")},
-          .threads = threads};
+          .threads = threads,
+          .order_cache = order_cache(options)};
 }
 
 }  // namespace thalweg

@@ -92,7 +92,7 @@ Options run_options() {
   auto specs = project_options();
   specs.push_back(
       {"routing", "strategy", 0, "STR", "evolved",
-       "hybrid, evolved, dijkstra; or SUMO's own: given, static, one-shot, device[:setting=value,..]"});
+       "hybrid, evolved, cch, dijkstra; or SUMO's own: given, static, one-shot, device[:setting=value,..]"});
   specs.push_back({"random", "seed", 0, "INT", "23423", "SUMO's seed"});
   specs.push_back(
       {"output", "decision-output", 0, "FILE", "", "Every routing decision, in the output folder"});

@@ -68,6 +68,7 @@ using LaneId = Id<struct LaneTag>;          ///< a lane of a road
 using JunctionId = Id<struct JunctionTag>;  ///< a junction of the net
 using SignalId = Id<struct SignalTag>;      ///< a traffic light of the net
 using ConnectionId = Id<struct ConnectionTag>;  ///< a lane-to-lane connection of the net
+using MovementId = Id<struct MovementTag>;      ///< a road and the one that follows it, by whatever lanes
 using VertexId = Id<struct VertexTag>;          ///< a vertex of any Digraph
 using ArcId = Id<struct ArcTag>;                ///< an arc of any Digraph
 using VehicleId = Id<struct VehicleTag>;        ///< a vehicle of the demand, in its order

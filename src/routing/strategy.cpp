@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "core/nearest.hpp"
@@ -14,16 +15,21 @@ namespace thalweg {
 bool ChoiceRule::prefers(const Traveller& traveller, Millis old_cost, Millis new_cost) const {
   if (new_cost >= old_cost) return false;
   if (old_cost >= infinity) return true;  // its way is broken: any other is better
+  return old_cost - new_cost > threshold(traveller, old_cost);
+}
+
+Millis ChoiceRule::threshold(const Traveller& traveller, Millis old_cost) const {
   const double share = (traveller.departed ? relative : 0) + spread * traveller.patience;
-  const auto gain = static_cast<double>(old_cost - new_cost);
-  return gain > share * static_cast<double>(old_cost) + static_cast<double>(absolute);
+  return static_cast<Millis>(std::floor(share * static_cast<double>(old_cost))) + absolute;
 }
 
 std::span<const StrategyEntry> strategies() {
-  static constexpr std::array<StrategyEntry, 3> list{{
+  static constexpr std::array<StrategyEntry, 5> list{{
       {"hybrid", "fewest turns, then least time (the paper's hybrid algorithm)", &make_hybrid},
       {"evolved", "the hybrid's tree evolved to the optimum (the paper's evolutionary hybrid)",
        &make_evolved},
+      {"forecast", "least time by a forecast of where the queues will be", &make_forecast, true},
+      {"cch", "the same optimum by a customizable contraction hierarchy: fast on large nets", &make_cch},
       {"dijkstra", "least time by Dijkstra's algorithm, to compare with", &make_dijkstra},
   }};
   return list;

@@ -7,8 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "cch/order_cache.hpp"
 #include "core/time.hpp"
+#include "demand/demand.hpp"
 #include "graph/road_graph.hpp"
+#include "traffic/fleet.hpp"
 
 namespace thalweg {
 
@@ -27,6 +30,7 @@ struct Traveller {
   std::vector<VertexId> route;      ///< its present way, from the first road whose next turn is still free
   std::vector<VertexId> waypoints;  ///< roads it must pass in this order: stops, `via`; last its destination
   Millis until_route = 0;           ///< from now until it enters route.front()
+  double driven = 0;                ///< share of route.front() that lies behind it
   double patience = 0;              ///< in [0, 1), fixed for each vehicle by a hash of its name
   bool departed = true;
 };
@@ -49,12 +53,29 @@ struct ChoiceRule {
   Millis absolute = 3'000;
 
   [[nodiscard]] bool prefers(const Traveller& traveller, Millis old_cost, Millis new_cost) const;
+  /// What a way must gain more than, against one of a finite cost, to be preferred.
+  [[nodiscard]] Millis threshold(const Traveller& traveller, Millis old_cost) const;
+};
+
+/// What the control loop knows of the traffic after a look at it.
+struct TrafficState {
+  Millis now = 0;
+  const Network& network;
+  const Demand& demand;
+  const Fleet& fleet;
+  const MeasuredTimes& measured;
+  const IdVector<SignalId, SignalProgramme>& programmes;
+  std::span<const SignalId> changed_signals;  ///< those whose programme is new
 };
 
 /// Decides for everyone who is due, as one batch a control period.
 class Strategy {
  public:
   virtual ~Strategy() = default;
+  /// Whether `watch` wants to be called: keeping the fleet costs time.
+  [[nodiscard]] virtual bool looks_ahead() const { return false; }
+  /// After every look at the traffic, before those who are due decide.
+  virtual void watch(const TrafficState& /*state*/) {}
   /// decisions[i] belongs to due[i]. The result does not depend on the number of threads.
   virtual void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
                       std::vector<Decision>& decisions) = 0;
@@ -63,6 +84,7 @@ class Strategy {
 struct StrategyOptions {
   ChoiceRule rule{};
   std::size_t threads = 1;
+  OrderCache order_cache{};  ///< of the hierarchy; nowhere by default
 };
 
 /// The strategies there are, each with the sentence that `--help` shows.
@@ -70,6 +92,7 @@ struct StrategyEntry {
   std::string_view name;
   std::string_view summary;
   std::unique_ptr<Strategy> (*make)(const StrategyOptions&);
+  bool needs_simulation = false;  ///< it decides by what it has watched: nothing for `thalweg route`
 };
 std::span<const StrategyEntry> strategies();
 

@@ -15,8 +15,9 @@ namespace thalweg {
 /// The vehicles' own clocks: when each of ours reconsiders.
 class Agenda {
  public:
-  /// `period` 0: everybody is due at every step. `share`: so much of the vehicles is ours.
-  Agenda(const Demand& demand, Millis period, double share) : period_(period) {
+  /// `period` 0: everybody is due at every step. `share`: so much of the vehicles is ours. `early`: from when
+  /// they are loaded on, and not only from when they want to depart.
+  Agenda(const Demand& demand, Millis period, double share, bool early) : period_(period), early_(early) {
     entries_.resize(demand.vehicles.size());
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       const DemandVehicle& vehicle = demand.vehicles[VehicleId{i}];
@@ -34,7 +35,8 @@ class Agenda {
   /// Due at the step that will insert it, before that step.
   void on_loaded(VehicleId vehicle, Millis now) {
     entries_[vehicle].state = State::loaded;
-    schedule(vehicle, std::max(now, entries_[vehicle].depart));
+    const Millis depart = std::max(now, entries_[vehicle].depart);
+    schedule(vehicle, early_ ? std::min(next_turn(vehicle, now), depart) : depart);
   }
   /// A turn that came within the step that inserted it is taken now.
   void on_departed(VehicleId vehicle, Millis now) {
@@ -42,7 +44,12 @@ class Agenda {
     if (entries_[vehicle].due > now) schedule(vehicle, next_turn(vehicle, now));
   }
   void on_arrived(VehicleId vehicle) { entries_[vehicle] = {}; }
-  void reschedule(VehicleId vehicle, Millis now) { schedule(vehicle, next_turn(vehicle, now)); }
+  void reschedule(VehicleId vehicle, Millis now) {
+    const Entry& entry = entries_[vehicle];
+    const bool is_to_come = entry.state == State::loaded && entry.depart > now;
+    const Millis turn = next_turn(vehicle, now);
+    schedule(vehicle, is_to_come ? std::min(turn, entry.depart) : turn);
+  }
 
   /// Takes out who is due by `now`, in the order of their ids.
   void take_due(Millis now, std::vector<VehicleId>& due) {
@@ -83,6 +90,7 @@ class Agenda {
 
   using Turn = std::pair<Millis, VehicleId>;
   Millis period_;
+  bool early_;
   IdVector<VehicleId, Entry> entries_;
   std::priority_queue<Turn, std::vector<Turn>, std::greater<>> queue_;
 };

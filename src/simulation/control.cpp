@@ -51,13 +51,16 @@ class Controller {
   Controller(Simulation& simulation, const Network& network, const Demand& demand, Strategy& strategy,
              const ControlOptions& options, RunResult& result)
       : simulation_(simulation),
+        network_(network),
         demand_(demand),
         strategy_(strategy),
         options_(options),
         result_(result),
-        agenda_(demand, options.period, options.share),
+        agenda_(demand, options.period, options.share, strategy.looks_ahead()),
         sample_interval_(std::max(options.sample_interval, simulation.step_length())),
-        measured_(network, options.window, sample_interval_) {
+        measured_(network, options.window, sample_interval_),
+        fleet_(demand),
+        programmes_(network.signals.size()) {
     for (const DemandVehicle& vehicle : demand.vehicles) {
       auto& index = class_index_[static_cast<std::size_t>(vehicle.vehicle_class)];
       if (vehicle.fixed || index) continue;
@@ -75,12 +78,23 @@ class Controller {
 
   /// After a step (and before the first): notes what happened, and lets those who are due decide.
   void update() {
-    for (const VehicleId vehicle : simulation_.events().loaded) agenda_.on_loaded(vehicle, simulation_.now());
-    for (const VehicleId vehicle : simulation_.events().departed)
+    for (const VehicleId vehicle : simulation_.events().loaded) {
+      agenda_.on_loaded(vehicle, simulation_.now());
+      if (strategy_.looks_ahead())
+        fleet_.on_loaded(vehicle, simulation_.plan(vehicle).route, simulation_.now());
+    }
+    for (const VehicleId vehicle : simulation_.events().departed) {
       agenda_.on_departed(vehicle, simulation_.now());
-    for (const VehicleId vehicle : simulation_.events().arrived) agenda_.on_arrived(vehicle);
+      fleet_.on_departed(vehicle);
+    }
+    for (const VehicleId vehicle : simulation_.events().arrived) {
+      agenda_.on_arrived(vehicle);
+      fleet_.on_arrived(vehicle);
+    }
     if (simulation_.now() >= next_sample_) {
-      measured_.sample(simulation_.observe());
+      const auto observations = simulation_.observe(strategy_.looks_ahead());
+      measured_.sample(observations);
+      if (strategy_.looks_ahead()) watch(observations);
       fresh_.assign(traffic_.size(), false);
       next_sample_ += sample_interval_;  // not from now on: steps of 0.3 s would make 1.2 s of 1 s
     }
@@ -89,6 +103,25 @@ class Controller {
   }
 
  private:
+  void watch(std::span<const Observation> observations) {
+    fleet_.on_observed(network_, observations);
+    changed_signals_.clear();
+    for (std::size_t i = 0; i < programmes_.size(); ++i) {
+      const SignalId signal{i};
+      std::string id = simulation_.programme_id(signal);
+      if (id.empty() || id == programmes_[signal].id) continue;
+      programmes_[signal] = simulation_.programme(signal);
+      changed_signals_.push_back(signal);
+    }
+    strategy_.watch({.now = simulation_.now(),
+                     .network = network_,
+                     .demand = demand_,
+                     .fleet = fleet_,
+                     .measured = measured_,
+                     .programmes = programmes_,
+                     .changed_signals = changed_signals_});
+  }
+
   void decide() {
     travellers_.clear();
     plans_.clear();
@@ -113,6 +146,7 @@ class Controller {
     traveller.vehicle_class = *class_index_[static_cast<std::size_t>(wanted.vehicle_class)];
     traveller.patience = unit_hash(wanted.id);
     traveller.departed = agenda_.departed(vehicle);
+    traveller.driven = plan.committed == 1 ? plan.driven : 0;
     const RoadGraph& graph = *graphs_[traveller.vehicle_class];
     const std::size_t first = plan.committed - 1;
     for (std::size_t i = first; i < plan.route.size(); ++i) {
@@ -144,10 +178,15 @@ class Controller {
 
   [[nodiscard]] Millis until_route(std::size_t i) const {
     const Plan& plan = plans_[i];
+    Millis until_depart = 0;
+    if (!travellers_[i].departed) {
+      const auto depart = demand_.vehicles[travellers_[i].vehicle].depart;
+      until_depart = std::max<Millis>(0, depart.value_or(simulation_.now()) - simulation_.now());
+    }
     const Millis crossing = traffic_[travellers_[i].vehicle_class].road_times[plan.route.front()];
     const auto behind =
         static_cast<Millis>(plan.driven * static_cast<double>(std::min(crossing, infinity / 4)));
-    return plan.committed > 1 ? crossing - behind : -behind;
+    return until_depart + (plan.committed > 1 ? crossing - behind : -behind);
   }
 
   void apply(const Traveller& traveller, const Plan& plan, Decision& decision) {
@@ -160,6 +199,7 @@ class Controller {
     if (decision.change) {
       decision.change = simulation_.assign(traveller.vehicle, route);
       ++(decision.change ? result_.reroutes : result_.refused);
+      if (decision.change && strategy_.looks_ahead()) fleet_.on_route(traveller.vehicle, route);
     }
     if (options_.log_decisions) log(traveller, decision);
   }
@@ -183,6 +223,7 @@ class Controller {
   }
 
   Simulation& simulation_;
+  const Network& network_;
   const Demand& demand_;
   Strategy& strategy_;
   const ControlOptions& options_;
@@ -190,6 +231,9 @@ class Controller {
   Agenda agenda_;
   Millis sample_interval_;
   MeasuredTimes measured_;
+  Fleet fleet_;  ///< kept for those who look ahead
+  IdVector<SignalId, SignalProgramme> programmes_;
+  std::vector<SignalId> changed_signals_;
   Millis next_sample_ = 0;
   std::array<std::optional<std::size_t>, 64> class_index_;
   std::vector<std::unique_ptr<RoadGraph>> graphs_;

@@ -43,8 +43,13 @@ class Simulation {
 
   virtual void step() = 0;
   [[nodiscard]] virtual const StepEvents& events() const = 0;
-  /// All vehicles on the roads now, in an order that depends on the run alone.
-  virtual std::span<const Observation> observe() = 0;
+  /// All vehicles on the roads now, in an order that depends on the run alone; with their lanes and positions
+  /// on request, which takes longer.
+  virtual std::span<const Observation> observe(bool with_lanes) = 0;
+  /// The programme that runs at a signal now; without phases where it is switched off.
+  virtual SignalProgramme programme(SignalId signal) = 0;
+  /// Its id, in far less time.
+  virtual std::string programme_id(SignalId signal) = 0;
   virtual Plan plan(VehicleId vehicle) = 0;
   /// Gives a vehicle the route to drive from the front of its plan's route on. False: SUMO refused it, and
   /// the vehicle keeps its way.

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "core/error.hpp"
+#include "core/number.hpp"
 #include "simulation/sumo_module.hpp"
 
 namespace thalweg {
@@ -60,8 +61,9 @@ class SumoSession : public Simulation {
       on_loaded(libsumo::Simulation::getLoadedIDList());
       const auto departed = libsumo::Simulation::getDepartedIDList();
       for (const auto& name : departed) {
+        const auto known = ids_.find(name);
         places_.emplace(name, running_.size());
-        running_.push_back(name);
+        running_.push_back({.name = name, .id = known == ids_.end() ? VehicleId{} : known->second});
       }
       resolve(departed, events_.departed);
       const auto arrived = libsumo::Simulation::getArrivedIDList();
@@ -70,19 +72,40 @@ class SumoSession : public Simulation {
     });
   }
 
-  std::span<const Observation> observe() override {
+  std::span<const Observation> observe(bool with_lanes) override {
     observations_.clear();
     for (std::size_t i = 0; i < running_.size();) {
       try {
-        const std::string& name = running_[i];
-        const auto road = network_.find_road(libsumo::Vehicle::getRoadID(name));
-        if (road) observations_.push_back({.road = *road, .speed = libsumo::Vehicle::getSpeed(name)});
+        const bool is_seen = with_lanes ? look_at_lane(running_[i]) : look_at_road(running_[i]);
+        if (is_seen) observations_.back().speed = libsumo::Vehicle::getSpeed(running_[i].name);
         ++i;
       } catch (const libsumo::TraCIException&) {
-        forget(std::string(running_[i]));  // gone without an arrival
+        forget(std::string(running_[i].name));  // gone without an arrival
       }
     }
     return observations_;
+  }
+
+  SignalProgramme programme(SignalId signal) override {
+    const std::string& id = network_.signals[signal].id;
+    SignalProgramme programme{.id = programme_id(signal), .type = {}, .offset = 0, .phases = {}};
+    try {
+      for (const auto& logic : libsumo::TrafficLight::getAllProgramLogics(id)) {
+        if (logic.programID != programme.id) continue;
+        for (const auto& phase : logic.phases)
+          programme.phases.push_back({.duration = from_seconds(phase->duration), .state = phase->state});
+      }
+    } catch (const libsumo::TraCIException&) {  // a rail signal, or not in this net
+      programme.phases.clear();
+    }
+    return programme;
+  }
+  std::string programme_id(SignalId signal) override {
+    try {
+      return libsumo::TrafficLight::getProgram(network_.signals[signal].id);
+    } catch (const libsumo::TraCIException&) {
+      return {};
+    }
   }
 
   Plan plan(VehicleId vehicle) override {
@@ -115,6 +138,11 @@ class SumoSession : public Simulation {
   }
 
  private:
+  struct Running {
+    std::string name;
+    VehicleId id;  ///< invalid: not of the demand
+  };
+
   /// SUMO's failures come out in its own words.
   template <class Action>
   static void guarded(Action action) {
@@ -153,9 +181,28 @@ class SumoSession : public Simulation {
     places_.erase(place);
     if (index + 1 != running_.size()) {
       running_[index] = std::move(running_.back());
-      places_[running_[index]] = index;
+      places_[running_[index].name] = index;
     }
     running_.pop_back();
+  }
+
+  bool look_at_road(const Running& vehicle) {
+    const auto road = network_.find_road(libsumo::Vehicle::getRoadID(vehicle.name));
+    if (road) observations_.push_back({.road = *road, .vehicle = vehicle.id});
+    return road.has_value();
+  }
+  bool look_at_lane(const Running& vehicle) {
+    const std::string name = libsumo::Vehicle::getLaneID(vehicle.name);
+    const auto mark = name.rfind('_');
+    if (mark == std::string::npos) return false;  // teleporting
+    const auto road = network_.find_road(std::string_view(name).substr(0, mark));
+    const auto index = parse_integer<std::uint32_t>(std::string_view(name).substr(mark + 1));
+    if (!road || !index || *index >= network_.roads[*road].lane_count) return false;
+    observations_.push_back({.road = *road,
+                             .vehicle = vehicle.id,
+                             .lane = LaneId{network_.roads[*road].first_lane.value + *index},
+                             .position = libsumo::Vehicle::getLanePosition(vehicle.name)});
+    return true;
   }
 
   void fill(const std::string& name, Plan& plan) const {
@@ -200,7 +247,7 @@ class SumoSession : public Simulation {
   const Network& network_;
   const Demand& demand_;
   std::unordered_map<std::string, VehicleId> ids_;
-  std::vector<std::string> running_;
+  std::vector<Running> running_;
   std::unordered_map<std::string, std::size_t> places_;  ///< in running_
   std::vector<Observation> observations_;
   StepEvents events_;

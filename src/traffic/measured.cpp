@@ -10,6 +10,8 @@ MeasuredTimes::MeasuredTimes(const Network& network, Millis window, Millis inter
     : limit_(network.roads.size()),
       length_(network.roads.size()),
       deviation_(network.roads.size(), 0),
+      seen_(network.roads.size()),
+      interval_(to_seconds(interval)),
       ring_(static_cast<std::size_t>(std::max<Millis>(1, window / interval))),
       speeds_(network.roads.size()) {
   for (std::size_t i = 0; i < network.roads.size(); ++i) {
@@ -26,18 +28,25 @@ MeasuredTimes::MeasuredTimes(const Network& network, Millis window, Millis inter
 void MeasuredTimes::sample(std::span<const Observation> vehicles) {
   std::vector<Entry>& entries = ring_[slot_];
   slot_ = (slot_ + 1) % ring_.size();
-  for (const Entry& old : entries) deviation_[old.road] -= old.deviation;
+  for (const Entry& old : entries) {
+    deviation_[old.road] -= old.deviation;
+    seen_[old.road].sum -= old.speeds.sum;
+    seen_[old.road].count -= old.speeds.count;
+  }
   entries.clear();
   for (const Observation& vehicle : vehicles) {
     if (!vehicle.road.valid()) continue;
     Speeds& speeds = speeds_[vehicle.road];
-    if (speeds.count++ == 0) entries.push_back({.road = vehicle.road, .deviation = 0});
+    if (speeds.count++ == 0) entries.push_back({.road = vehicle.road});
     speeds.sum += std::llround(vehicle.speed * 1000.0);
   }
   for (Entry& entry : entries) {
     Speeds& speeds = speeds_[entry.road];
     entry.deviation = static_cast<std::int32_t>(speeds.sum / speeds.count - limit_[entry.road]);
     deviation_[entry.road] += entry.deviation;
+    entry.speeds = speeds;
+    seen_[entry.road].sum += speeds.sum;
+    seen_[entry.road].count += speeds.count;
     speeds = {};
   }
 }

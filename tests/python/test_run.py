@@ -10,6 +10,7 @@ LIGHT = PROJECT / "scenarios" / "grid" / "light.sumocfg"
 EAGER = ("--gain.relative", 0, "--gain.spread", 0, "--gain.absolute", 0, "--period", 10)  # changes often
 
 
+@expand
 class GridLight(support.RunCase):
     """The sample city."""
 
@@ -26,10 +27,11 @@ class GridLight(support.RunCase):
         changed = sum(decision.get("changed") == "true" for decision in run.decisions())
         self.assertEqual(run.summary["reroutes"], changed)
 
-    def test_same_seed_same_bytes(self):
+    @on_each(("evolved", "forecast"))
+    def test_same_seed_same_bytes(self, strategy):
         files = ("tripinfo.xml", "vehroute.xml", "decisions.xml")
         first, again, threads, other = (
-            [without_comments(self.run_city("-c", LIGHT, *more).folder / file) for file in files]
+            [without_comments(self.run_city("-c", LIGHT, "--strategy", strategy, *more).folder / file) for file in files]
             for more in ((), (), ("--threads", 2), ("--seed", 1)))
         self.assertEqual(first, again)
         self.assertEqual(first, threads)
@@ -154,7 +156,7 @@ class SmallGrid(support.RunCase):
         self.assertEqual(run.summary["finished"], 200)
         self.assertGreater(run.summary["reroutes"], 0)
 
-    @on_each(("hybrid", "evolved", "dijkstra", "given", "static", "one-shot", "device", "device:period=10"))
+    @on_each(("hybrid", "evolved", "cch", "dijkstra", "given", "static", "one-shot", "device", "device:period=10"))
     def test_way_points(self, strategy):
         """`via` is driven through, in its order, whoever routes."""
         via = ("B4C4", "D1D0", "A2A3")
@@ -164,7 +166,7 @@ class SmallGrid(support.RunCase):
         for vehicle, route in run.routes().items():
             if vehicle.startswith("v"):
                 self.assertTrue(in_order(via, route), f"{vehicle}: {route}")
-        if strategy in ("evolved", "dijkstra"):
+        if strategy in ("evolved", "cch", "dijkstra"):
             of_via = {d.get("vehicle") for d in run.decisions() if d.get("changed") == "true"}
             self.assertTrue(any(vehicle.startswith("v") for vehicle in of_via), "nobody with via was re-routed")
 

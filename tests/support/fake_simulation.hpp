@@ -102,17 +102,26 @@ class FakeSimulation : public Simulation {
     load();
   }
 
-  std::span<const Observation> observe() override {
+  std::span<const Observation> observe(bool /*with_lanes*/) override {
     ++looks;
     observations_.clear();
-    for (const State& state : states_) {
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      const State& state = states_[VehicleId{i}];
       if (!state.is_running()) continue;
       const RoadId road = state.road();
-      const double length = network_.lanes[network_.roads[road].first_lane].length;
-      observations_.push_back({.road = road, .speed = length / to_seconds(road_times[road])});
+      const double speed =
+          network_.lanes[network_.roads[road].first_lane].length / to_seconds(road_times[road]);
+      observations_.push_back({.road = road,
+                               .speed = speed,
+                               .vehicle = VehicleId{i},
+                               .lane = network_.roads[road].first_lane,
+                               .position = speed * to_seconds(now_ - state.entered)});
     }
     return observations_;
   }
+
+  SignalProgramme programme(SignalId /*signal*/) override { return {}; }
+  std::string programme_id(SignalId /*signal*/) override { return {}; }
 
   Plan plan(VehicleId vehicle) override {
     const State& state = states_[vehicle];

@@ -445,5 +445,46 @@ TEST_F(Control, TheSameRunIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(log_of(4), one);
 }
 
+/// One that looks ahead: keeps what it is shown of the first vehicle.
+class Watcher : public Recorder {
+ public:
+  [[nodiscard]] bool looks_ahead() const override { return true; }
+  void watch(const TrafficState& state) override { seen.emplace_back(state.now, state.fleet[VehicleId{0U}]); }
+
+  std::vector<std::pair<Millis, FleetVehicle>> seen;
+};
+
+// The vehicle is loaded at 0 and departs at 25 s: due once a period until then, and again when it departs.
+TEST_F(Control, WhoLooksAheadDecidesFromLoadingOnAndWatchesTheFleet) {
+  FakeSimulation simulation(net, {{.id = "v", .depart = 25'000, .route = way(net, "SABT")}});
+  Watcher watcher;
+  watcher.answer = [&](std::span<const ClassTraffic> traffic, const Traveller& traveller) {
+    const bool can_turn = traveller.departed && traveller.route.size() == 3;
+    return Decision{.change = can_turn, .route = vertex_way(net, *traffic[0].graph, "SACDBT")};
+  };
+  run(simulation, net, watcher, {.period = 10'000});
+  const auto turns = watcher.turns()[VehicleId{0U}];
+  EXPECT_EQ(std::count_if(turns.begin(), turns.end(), [](Millis t) { return t < 25'000; }), 2)
+      << "0 to 10, 10 to 20";
+  EXPECT_NE(std::find(turns.begin(), turns.end(), 25'000), turns.end());
+  for (const auto& call : watcher.calls) {
+    const Traveller& traveller = call.due.front();
+    if (!traveller.departed) {
+      EXPECT_EQ(traveller.until_route, std::max<Millis>(0, 25'000 - call.time));
+    }
+  }
+  ASSERT_FALSE(watcher.seen.empty());
+  const auto state_at = [&](Millis time) {
+    return std::find_if(watcher.seen.begin(), watcher.seen.end(),
+                        [&](const auto& s) { return s.first == time; })
+        ->second;
+  };
+  EXPECT_EQ(state_at(24'000).state, FleetVehicle::State::waiting);
+  EXPECT_EQ(text(state_at(24'000).route), "SA AB BT");
+  EXPECT_EQ(state_at(30'000).state, FleetVehicle::State::running);
+  EXPECT_EQ(text(watcher.seen[watcher.seen.size() - 2].second.route), "SA AC CD DB BT")
+      << "as it was decided";
+}
+
 }  // namespace
 }  // namespace thalweg::testing

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cch/metric.hpp"
+
+#include <algorithm>
+
+#include "core/parallel.hpp"
+
+namespace thalweg {
+
+template <CchWeight W>
+void CchMetric<W>::take_costs(const CchTopology& topology, const std::vector<Millis>& costs) {
+  constexpr W none = cch_infinity<W>;
+  up.assign(topology.edge_count(), none);
+  down.assign(topology.edge_count(), none);
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const auto place = topology.place(ArcId{i});
+    if (place.is_loop || costs[i] >= infinity || static_cast<std::uint64_t>(costs[i]) >= none) continue;
+    W& own = place.upward ? up[place.edge] : down[place.edge];
+    own = std::min(own, static_cast<W>(costs[i]));
+  }
+}
+
+/// Lower triangles: the ways x -> v -> y and y -> v -> x over every lower neighbour v (of `part`) of x and y
+/// > x. Writes to the edges of x only; those of v must be done.
+template <CchWeight W>
+void CchMetric<W>::relax_row(const CchTopology& topology, CchTopology::Rank x, Part part, Slots& slots) {
+  constexpr W none = cch_infinity<W>;
+  for (auto edge = topology.first_edge(x); edge < topology.first_edge(x + 1); ++edge) {
+    slots[topology.head(edge)] = edge;
+  }
+  for (const auto [v, lower] : topology.lower_edges(x)) {
+    if (part != Part::all && is_top_[v] != (part == Part::top)) continue;
+    const W to_v = down[lower];
+    const W from_v = up[lower];
+    if (to_v >= none && from_v >= none) continue;
+    // The higher neighbours of v above x are neighbours of x.
+    const auto last = topology.first_edge(v + 1);
+    for (auto other = lower + 1; other < last; ++other) {
+      const auto edge = slots[topology.head(other)];
+      up[edge] = std::min<W>(up[edge], to_v + up[other]);
+      down[edge] = std::min<W>(down[edge], down[other] + from_v);
+    }
+  }
+}
+
+template <CchWeight W>
+void CchMetric<W>::customise(const CchTopology& topology, const std::vector<Millis>& costs,
+                             std::size_t threads) {
+  using Rank = CchTopology::Rank;
+  take_costs(topology, costs);
+  slots_.resize(std::max<std::size_t>(threads, 1));
+  for (Slots& slots : slots_) slots.resize(topology.vertex_count());
+  if (threads <= 1) {
+    for (Rank x = 0; x < topology.vertex_count(); ++x) relax_row(topology, x, Part::all, slots_.front());
+    return;
+  }
+  is_top_.assign(topology.vertex_count(), true);
+  const auto subtrees = topology.subtrees();
+  for (const auto& subtree : subtrees) {
+    for (Rank x = subtree.first; x < subtree.last; ++x) is_top_[x] = false;
+  }
+  top_.clear();
+  for (Rank x = 0; x < topology.vertex_count(); ++x) {
+    if (is_top_[x]) top_.push_back(x);
+  }
+  // The subtrees side by side; then what they give to the top, row by row side by side; then the top in
+  // order.
+  parallel_for(subtrees.size(), threads, [&](std::size_t i, std::size_t worker) {
+    for (Rank x = subtrees[i].first; x < subtrees[i].last; ++x) {
+      relax_row(topology, x, Part::all, slots_[worker]);
+    }
+  });
+  parallel_for(top_.size(), threads, [&](std::size_t i, std::size_t worker) {
+    relax_row(topology, top_[i], Part::subtrees, slots_[worker]);
+  });
+  for (const Rank x : top_) relax_row(topology, x, Part::top, slots_.front());
+}
+
+template class CchMetric<std::uint32_t>;
+template class CchMetric<std::uint64_t>;
+
+}  // namespace thalweg

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "traffic/discharge.hpp"
+#include "traffic/fleet.hpp"
+#include "traffic/servers.hpp"
+
+namespace thalweg {
+
+struct ForecastOptions {
+  Millis bin = 20'000;
+  std::size_t bins = 60;          ///< the horizon is bins * bin
+  Millis repeated = 600'000;      ///< departures of this past are repeated until the horizon; 0: none assumed
+  double full = 0.9;              ///< nobody is inserted on a road that is so full
+  double blocked_retry = 3;       ///< s until the head of a queue looks again for room
+  double blocked_patience = 150;  ///< s after which it goes anyway: the forecast must not lock up
+  double insertion_retry = 5;     ///< s
+};
+
+/// Where the queues will be: everybody on the roads, waiting or loaded drives its present route from lane to
+/// lane, each lane a FIFO server with room for so many, over the next minutes. Gives the time that one waits
+/// at the end of each road, by the time of reaching the queue. Later departures that nobody knows yet are
+/// assumed to be those of the last minutes again.
+///
+/// An event-based point-queue model with spillback (cf. Charypar, Axhausen, Nagel, Transportation Research
+/// Record 2003, 2007); waits are of the road, the same for every turn: with waits a turn, vehicles are lured
+/// into a free lane that they must leave again.
+class QueueForecast {
+ public:
+  QueueForecast(const Network& network, const Servers& servers, const Discharge& discharge,
+                const ForecastOptions& options = {});
+
+  /// Notes who departs, for the assumed demand. At every look.
+  void observe(const Fleet& fleet, Millis now);
+  /// Looks ahead from the fleet's present state.
+  void run(const Fleet& fleet, Millis now);
+
+  /// s at the end of a road for one that reaches it in bin `bin` from now on.
+  [[nodiscard]] float wait(RoadId road, std::size_t bin) const {
+    return wait_[road.value * options_.bins + bin];
+  }
+  [[nodiscard]] const ForecastOptions& options() const { return options_; }
+
+ private:
+  /// A vehicle of the forecast: a real one, or one that is assumed.
+  struct Mover {
+    const std::vector<RoadId>* route;
+    std::size_t position;
+    MovementId movement{};
+    LaneId preferred{};
+    float arrived = 0;    ///< s from now: at the end of its road
+    bool booked = false;  ///< has its turn of insertion
+  };
+  struct Passed {
+    float arrived;
+    float left;  ///< infinity: still there at the horizon
+  };
+  struct Queue {
+    std::vector<std::uint32_t> movers;
+    std::size_t head = 0;
+    double free_at = -1e9;      ///< s from now: the server is done with the last
+    double blocked_since = -1;  ///< s from now; below 0: it is not
+    bool is_active = false;
+    std::vector<Passed> passed;
+    void clear();
+  };
+  enum class Kind : std::uint8_t { reaches_end, leaves, departs };
+  struct Event {
+    double time;
+    Kind kind;
+    std::uint32_t subject;                      ///< a mover; the lane for `leaves`
+    bool operator<(const Event& other) const {  // the standard's heap keeps the greatest on top
+      if (time != other.time) return time > other.time;
+      return kind != other.kind ? kind > other.kind : subject > other.subject;
+    }
+  };
+
+  void place(const FleetVehicle& vehicle, double now);
+  void repeat_departures(const Fleet& fleet, Millis now);
+  void add(const std::vector<RoadId>& route, std::size_t position, double time, Kind kind, LaneId preferred);
+  void handle(const Event& event);
+  void depart(const Event& event);
+  void reach_end(const Event& event);
+  void leave(const Event& event);
+  void schedule_head(LaneId lane);
+  void push(double time, Kind kind, std::uint32_t subject);
+  void tabulate();
+  void tabulate_lane(LaneId lane, std::span<float> waits) const;
+
+  const Network& network_;
+  const Servers& servers_;
+  const Discharge& discharge_;
+  ForecastOptions options_;
+  double horizon_;
+
+  struct Departure {
+    Millis time;
+    std::vector<RoadId> route;
+  };
+  std::deque<Departure> recent_;
+  Millis noted_until_ = -1;
+
+  std::vector<Mover> movers_;
+  std::vector<Event> heap_;
+  IdVector<LaneId, Queue> queues_;
+  std::vector<LaneId> used_;  ///< queues that are not as new
+  IdVector<RoadId, int> occupancy_;
+  IdVector<RoadId, double> next_insertion_;
+  std::vector<float> wait_;
+  std::vector<float> lane_wait_;  ///< scratch of tabulate
+};
+
+}  // namespace thalweg

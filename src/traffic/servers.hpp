@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "network/network.hpp"
+
+namespace thalweg {
+
+/// From a road onto the next, by whatever lanes.
+struct Movement {
+  RoadId from;
+  RoadId to;
+  double through = 0;  ///< s to cross the junction, nobody in the way
+  double headway = 2;  ///< s between two vehicles that leave a lane one after the other
+  double delay = 0;    ///< s that a vehicle waits at the stop line though nobody is before it
+};
+
+struct ServerOptions {
+  double saturation_headway = 2;  ///< s, of a lane that has green or the right of way
+  double permissive = 0.5;        ///< worth of a green that has to give way, against a protected one
+  double yellow = 0.3;            ///< of the yellow is driven
+  double least_share = 0.03;      ///< a signal lets somebody pass in every cycle
+  double space = 7.5;             ///< m of a lane that a waiting vehicle takes
+  double least_storage = 2;       ///< vehicles: on the shortest road one arrives while one leaves
+};
+
+/// Every lane as a server of those that leave it: how long one takes, and how many find room to wait.
+/// Headways from the signal programmes (green share of the link) and the right of way, for the mean of a
+/// cycle: phases themselves are left out, they are over before a forecast comes true.
+class Servers {
+ public:
+  explicit Servers(const Network& network, const ServerOptions& options = {});
+
+  /// Takes the times of this signal from the programme that runs there now.
+  void set_programme(SignalId signal, const SignalProgramme& programme);
+
+  [[nodiscard]] std::size_t size() const { return movements_.size(); }
+  [[nodiscard]] const Movement& operator[](MovementId movement) const { return movements_[movement]; }
+  /// Invalid: no lane leads from one to the other.
+  [[nodiscard]] MovementId find(RoadId from, RoadId to) const;
+  /// The movements that leave a road; ids in a row.
+  [[nodiscard]] std::size_t first_of(RoadId road) const { return first_[road.value]; }
+  [[nodiscard]] std::size_t last_of(RoadId road) const { return first_[road.value + 1]; }
+  [[nodiscard]] std::span<const LaneId> lanes(MovementId movement) const {
+    return {lanes_.data() + lane_first_[movement.value], lanes_.data() + lane_first_[movement.value + 1]};
+  }
+  /// Means over the movements that leave the lane; nothing when none does.
+  struct LaneMeans {
+    double headway = 0;
+    double delay = 0;
+  };
+  [[nodiscard]] const LaneMeans& means(LaneId lane) const { return means_[lane]; }
+  [[nodiscard]] double free_flow(RoadId road) const { return free_flow_[road]; }  ///< s
+  [[nodiscard]] double storage(RoadId road) const { return storage_[road]; }      ///< vehicles
+
+ private:
+  struct Link {
+    MovementId movement;
+    int index;
+  };
+  void refresh_means(const Network& network);
+
+  const Network& network_;
+  ServerOptions options_;
+  IdVector<MovementId, Movement> movements_;
+  std::vector<std::uint32_t> first_;  ///< by road
+  std::vector<std::uint32_t> lane_first_;
+  std::vector<LaneId> lanes_;
+  IdVector<LaneId, LaneMeans> means_;
+  IdVector<RoadId, double> free_flow_;
+  IdVector<RoadId, double> storage_;
+  IdVector<SignalId, std::vector<Link>> links_;
+};
+
+}  // namespace thalweg

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "graph/road_graph.hpp"
+#include "traffic/queue_forecast.hpp"
+#include "traffic/residuals.hpp"
+
+namespace thalweg {
+
+/// The time of every turn by the time of entering the road that is left, as one class will find it: the
+/// paper's f(t, I) over the horizon of a forecast. Piecewise linear, and made so that leaving later never
+/// arrives earlier; before now it is that of now, after the horizon that of its end.
+class TimedCosts {
+ public:
+  TimedCosts(const Network& network, const RoadGraph& graph);
+
+  /// From a forecast made at `now`.
+  void refresh(const QueueForecast& forecast, const Residuals& residuals, Millis now);
+
+  [[nodiscard]] Millis arrive(ArcId turn, Millis entry) const {
+    const Millis since = std::clamp<Millis>(entry - now_, 0, horizon_);
+    const auto bin = static_cast<std::size_t>(since / bin_);
+    const Millis within = since - static_cast<Millis>(bin) * bin_;
+    const std::int32_t* cost = costs_.data() + turn.value * nodes_ + bin;
+    const Millis at = cost[0];
+    return entry + (within == 0 ? at : at + (cost[1] - at) * within / bin_);
+  }
+  /// Nobody in the way: never above what `arrive` takes. By turn.
+  [[nodiscard]] const std::vector<Millis>& free_flow() const { return free_flow_; }
+  /// To cross the road itself.
+  [[nodiscard]] Millis road_time(RoadId road) const { return road_times_[road]; }
+
+ private:
+  const RoadGraph& graph_;
+  RoadTimes road_times_;
+  std::vector<Millis> free_flow_;
+  Millis now_ = 0;
+  Millis bin_ = 1;
+  Millis horizon_ = 0;
+  std::size_t nodes_ = 1;
+  std::vector<std::int32_t> costs_;  ///< ms, by turn and bin
+};
+
+}  // namespace thalweg

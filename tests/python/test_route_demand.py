@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`thalweg route` routes whole demands as duarouter does: flows, types and classes, vehicles with routes."""
+import gzip
+import os
+
+import support
+from support import City, make_grid, read_xml, run_tool, write
+
+OPTIONS = ["--weights.minor-penalty", 1.5, "--weights.turnaround-penalty", 5, "--weights.tls-penalty", 0]
+
+
+def vehicles_of(file):
+    return {v.get("id"): (float(v.get("depart")), v.get("type"), float(v.find("route").get("cost")))
+            for v in read_xml(file).iter("vehicle") if v.find("route") is not None and v.find("route").get("cost")}
+
+
+class RouteDemand(support.TestCase):
+    def both(self, net, demand, *options):
+        folder = self.folder()
+        run_tool("duarouter", "-n", net, "-r", demand, "-o", folder / "theirs.xml", "--alternatives-output", "NUL",
+                 "--write-costs", "--ignore-errors", "--no-step-log", "--no-warnings", "--junction-taz", "false", *OPTIONS)
+        self.succeeds("route", "-n", net, "-r", demand, "-o", folder / "ours.xml.gz", "--write-costs", "--ignore-errors",
+                      *OPTIONS, *options)
+        with gzip.open(folder / "ours.xml.gz", "rb") as packed:
+            (folder / "ours.xml").write_bytes(packed.read())
+        return vehicles_of(folder / "ours.xml"), vehicles_of(folder / "theirs.xml")
+
+    def assert_same(self, ours, theirs, least):
+        self.assertEqual(sorted(set(ours) ^ set(theirs)), [])
+        self.assertGreater(len(ours), least)
+        for vehicle, (depart, kind, cost) in ours.items():
+            self.assertAlmostEqual(depart, theirs[vehicle][0], delta=0.011, msg=vehicle)
+            self.assertEqual(kind, theirs[vehicle][1], vehicle)
+            self.assertAlmostEqual(cost, theirs[vehicle][2], delta=0.5, msg=vehicle)
+
+    def test_flows_types_and_classes(self):
+        net = make_grid(self.folder())
+        demand = write(self.folder() / "d.rou.xml", """<routes>
+            <vType id="slow" maxSpeed="5" speedFactor="1"/><vType id="car" speedFactor="1"/>
+            <vType id="lorry" vClass="truck" speedFactor="1"/>
+            <flow id="many" type="car" begin="0" end="100" number="7" from="A0B0" to="D4E4"/>
+            <flow id="rate" type="slow" begin="50" end="90" vehsPerHour="360" from="A0B0" to="D4E4" via="B4C4"/>
+            <flow id="period" type="lorry" begin="1" number="5" period="20" from="E4D4" to="B0A0"/>
+            <trip id="one" type="car" depart="33" from="A0B0" to="B0A0"/>
+        </routes>""")
+        self.assert_same(*self.both(net, demand), 15)
+
+    def test_luxembourg(self):
+        city = City("luxembourg")
+        ours, theirs = self.both(city.net, city.net.parent / "demand.0.4.trips.xml", "--threads", 2)
+        self.assert_same(ours, theirs, 8000)
+
+    def test_routes_are_kept_and_departures_in_order(self):
+        net, folder = make_grid(self.folder()), self.folder()
+        demand = write(folder / "d.rou.xml", """<routes><route id="r" edges="A0B0 B0C0"/>
+            <trip id="late" depart="50" from="A0B0" to="C0D0"/>
+            <vehicle id="named" depart="20" route="r"/>
+            <vehicle id="own" depart="10"><route edges="A0B0 B0B1"/></vehicle>
+            <flow id="f" begin="5" end="65" number="2" from="A0B0" to="B0B1"/></routes>""")
+        self.succeeds("route", "-n", net, "-r", demand, "-o", folder / "o.xml")
+        written = read_xml(folder / "o.xml")
+        self.assertEqual([v.get("id") for v in written.iter("vehicle")], ["f.0", "own", "named", "f.1", "late"])
+        self.assertEqual([v.find("route").get("edges") for v in written.iter("vehicle") if v.get("id") == "own"],
+                         ["A0B0 B0B1"])
+
+    def test_what_is_not_routed_is_named(self):
+        net, folder = make_grid(self.folder()), self.folder()
+        for bad, words in (('<person id="p" depart="0"/>', "duarouter"),
+                           ('<trip id="t" type="odd" depart="0" from="A0B0" to="B0C0"/>', "'odd' is not known"),
+                           ('<flow id="f" from="A0B0" to="B0C0"/>', "no end"),
+                           ('<flow id="f" end="9" probability="0.1" from="A0B0" to="B0C0"/>', "random")):
+            demand = write(folder / "d.rou.xml", f"<routes>\n{bad}\n</routes>")
+            result = support.thalweg("route", "-n", net, "-r", demand, "-o", folder / "o.xml")
+            self.assertEqual(result.exit, 1)
+            self.assertRegex(result.err, r"d\.rou\.xml:2: .*" + words)
+            self.assertFalse((folder / "o.xml").exists())
+
+    def test_cache(self):
+        """The order is kept in the cache folder; --no-cache and a folder that cannot be written change no route."""
+        city, folder = City("bologna-joined"), self.folder()
+        draw = [road.getID() for road in support.sumolib.net.readNet(str(city.net)).getEdges(withInternal=False)
+                if road.allows("passenger")]
+        pairs = [(draw[i % len(draw)], draw[(7 * i + 5) % len(draw)]) for i in range(300)]
+        trips = "".join(f'<trip id="{i}" depart="{i}" from="{a}" to="{b}"/>' for i, (a, b) in enumerate(pairs))
+        demand = write(folder / "t.xml", f"<routes>{trips}</routes>")
+        texts = []
+        for name, options in (("cache", []), ("cache", []), ("none", ["--no-cache"]), ("t.xml", [])):
+            result = support.thalweg("route", "-n", city.net, "-r", demand, "-o", folder / "o.xml", "--ignore-errors",
+                                     *options, env={**os.environ, "XDG_CACHE_HOME": str(folder / name)})
+            self.assertEqual(result.exit, 0, result.err)
+            self.assertEqual("the order of the network is not kept" in result.err, name == "t.xml", result.err)
+            texts.append([v.find("route").get("edges") for v in read_xml(folder / "o.xml").iter("vehicle")])
+        self.assertEqual(len(list((folder / "cache" / "thalweg").iterdir())), 1)
+        self.assertFalse((folder / "none").exists())
+        self.assertTrue(all(text == texts[0] for text in texts))
+        self.assertGreater(len(texts[0]), 100)
+
+
+if __name__ == "__main__":
+    support.main()

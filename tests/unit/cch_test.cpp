@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "graph/fingerprint.hpp"
+#include "graph/grid.hpp"
+#include "support/cch_oracle.hpp"
+
+namespace thalweg::testing {
+namespace {
+
+using W32 = std::uint32_t;
+using W64 = std::uint64_t;
+constexpr Millis limit32 = cch_infinity<W32>;
+
+CchTopology topology_of(const Digraph& graph) { return {graph, nested_dissection(graph)}; }
+
+std::vector<VertexId> every_vertex(const Digraph& graph) {
+  std::vector<VertexId> all;
+  for (std::size_t v = 0; v < graph.vertex_count(); ++v) all.emplace_back(v);
+  return all;
+}
+
+std::vector<VertexId> sorted(std::vector<VertexId> vertices) {
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+//     0 - 1 - 2 - 3      a ring: in the order of their numbers, 0 joins 1 and 5, then 1 joins 2 and 5 ..
+//     |           |
+//     +--- 5 - 4 -+
+Instance ring() { return make_instance(6, {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}}); }
+
+TEST(CchTopology, TheCompletionOfARing) {
+  const Instance six = ring();
+  const CchTopology topology(six.graph, vertices({0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(topology.edge_count(), 9U);      // six of the ring, and 1-5, 2-5, 3-5
+  EXPECT_EQ(topology.triangle_count(), 4U);  // over 0, 1, 2, 3
+  for (CchTopology::Rank v = 0; v < 5; ++v) EXPECT_EQ(topology.parent(v), v + 1);
+  EXPECT_EQ(topology.parent(5), 5U);
+  ASSERT_EQ(topology.lower_edges(5).size(), 5U);
+  EXPECT_EQ(topology.lower_edges(5).front().tail, 0U);
+  EXPECT_TRUE(topology.place(ArcId{0}).upward);
+  EXPECT_FALSE(topology.place(ArcId{5}).upward);  // 5 -> 0
+}
+
+TEST(CchTopology, EverySubtreeIsARangeAndTheyDoNotTouch) {
+  const Digraph graph = grid_graph(40);
+  const CchTopology topology = topology_of(graph);
+  ASSERT_GT(topology.subtrees().size(), 8U);
+  std::vector<std::uint32_t> subtree(topology.vertex_count(), 0);
+  std::uint32_t number = 0;
+  CchTopology::Rank end = 0;
+  for (const auto [first, last] : topology.subtrees()) {
+    EXPECT_LE(end, first);
+    end = last;
+    ++number;
+    for (auto v = first; v < last; ++v) subtree[v] = number;
+  }
+  for (CchTopology::Rank v = 0; v < topology.vertex_count(); ++v) {
+    for (const auto head : topology.heads(v)) {
+      EXPECT_TRUE(subtree[head] == 0 || subtree[head] == subtree[v]) << v << " - " << head;
+    }
+  }
+}
+
+TEST(NestedDissection, HoldsEveryVertexOnceAndFillsAGridLittle) {
+  const Digraph graph = grid_graph(40);
+  const EliminationOrder order = nested_dissection(graph);
+  EXPECT_EQ(sorted(order), every_vertex(graph));
+  EXPECT_EQ(order, nested_dissection(graph)) << "the same at every call";
+  EXPECT_LT(CchTopology(graph, order).edge_count(), 10 * graph.arc_count() / 2);
+}
+
+TEST(NestedDissection, OfNothingOfOneRoadAndOfParts) {
+  EXPECT_TRUE(nested_dissection(Digraph()).empty());
+  const Instance one = make_instance(1, {{0, 0, 7}});
+  EXPECT_EQ(topology_of(one.graph).edge_count(), 0U);
+  const Instance parts = make_instance(5, {{0, 1}, {2, 3}, {3, 2}});
+  EXPECT_EQ(sorted(nested_dissection(parts.graph)), every_vertex(parts.graph));
+  EXPECT_EQ(topology_of(Digraph(3, {})).edge_count(), 0U);
+}
+
+TEST(Postordered, AddsTheSameEdges) {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const Instance instance = random_instance(InstanceType::mixed, seed);
+    Dice dice(seed);
+    EliminationOrder order = every_vertex(instance.graph);
+    dice.shuffle(order);
+    const EliminationOrder post = postordered(instance.graph, order);
+    EXPECT_EQ(sorted(post), every_vertex(instance.graph));
+    EXPECT_EQ(CchTopology(instance.graph, post).edge_count(),
+              CchTopology(instance.graph, order).edge_count());
+    EXPECT_EQ(postordered(instance.graph, post), post);
+  }
+}
+
+class CchOnRandomGraphs : public ::testing::TestWithParam<InstanceType> {};
+
+// 10,000 in all: every vertex to and from every other.
+TEST_P(CchOnRandomGraphs, CostsAreDijkstras) {
+  CchOracle<W32> narrow;
+  CchOracle<W64> wide;
+  for (std::uint64_t seed = 0; seed < 3'334; ++seed) {
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    const Instance instance = random_instance(GetParam(), seed);
+    const CchTopology topology = topology_of(instance.graph);
+    const auto all = every_vertex(instance.graph);
+    narrow.check(topology, instance, all, all);
+    if (seed % 3 == 0) wide.check(topology, instance, all, all, 2);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(narrow.reached, 100'000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllTypes, CchOnRandomGraphs,
+                         ::testing::Values(InstanceType::mixed, InstanceType::simple,
+                                           InstanceType::directed));
+
+TEST(Cch, ThreadsDoNotChangeTheMetric) {
+  const Instance instance = random_grid(40, 7, 10'000);
+  const CchTopology topology = topology_of(instance.graph);
+  CchMetric<W32> alone;
+  alone.customise(topology, instance.costs, 1);
+  for (const std::size_t threads : {2U, 4U}) {
+    CchMetric<W32> together;
+    together.customise(topology, instance.costs, threads);
+    EXPECT_EQ(together.up, alone.up);
+    EXPECT_EQ(together.down, alone.down);
+  }
+}
+
+//     0 -> 1 -> 2 -> 3      each arc costs `cost`
+Instance chain(Millis cost) { return make_instance(4, {{0, 1, cost}, {1, 2, cost}, {2, 3, cost}}); }
+
+TEST(Cch, SumsThatFillTheWidthAreExact) {
+  const auto end = vertices({3});
+  const auto all = vertices({0, 1, 2, 3});
+  const auto check = [&](Millis cost, bool fits) {
+    const Instance instance = chain(cost);
+    const CchTopology topology(instance.graph, vertices({1, 2, 0, 3}));
+    EXPECT_EQ(fits_32_bits(instance.graph, instance.costs), fits) << cost;
+    CchOracle<W64>().check(topology, instance, end, all);
+    if (fits) CchOracle<W32>().check(topology, instance, end, all);
+  };
+  check(0, true);
+  check(limit32 / 3 - 1, true);
+  check(limit32 / 3 + 1, false);
+  check(limit32, false);
+  check(3 * limit32, false);
+  check(infinity / 3, false);
+  check(infinity / 3 + 1, false);  // the whole saturates, two thirds of it do not
+  check(infinity - 1, false);
+  check(infinity, true);  // closed
+}
+
+//     0 <-> 1 <-> 2 <-> ..      a long chain: all its arcs together are too much for 32 bits, no way along it
+//     is
+TEST(Cch, AWidthThatShortestWaysNeedIsSeenInTheMetric) {
+  std::vector<ArcEnds> arcs;
+  for (std::size_t v = 0; v + 1 < 100; ++v) {
+    arcs.push_back({.tail = VertexId{v}, .head = VertexId{v + 1}});
+    arcs.push_back({.tail = VertexId{v + 1}, .head = VertexId{v}});
+    arcs.push_back({.tail = VertexId{v}, .head = VertexId{v + 1}});  // nobody would take it
+  }
+  Instance instance{.graph = Digraph(100, arcs), .costs = std::vector<Millis>(arcs.size(), 1'000)};
+  for (std::size_t i = 2; i < arcs.size(); i += 3) instance.costs[i] = limit32 / 10;
+  const CchTopology topology = topology_of(instance.graph);
+  const auto fits = [&] {
+    CchMetric<W32> metric;
+    metric.customise(topology, instance.costs);
+    return fits_32_bits(instance.graph, instance.costs, topology, metric);
+  };
+  EXPECT_FALSE(fits_32_bits(instance.graph, instance.costs));
+  EXPECT_TRUE(fits());
+  CchOracle<W32>().check(topology, instance, every_vertex(instance.graph), every_vertex(instance.graph));
+  instance.costs[0] = limit32 + 7;  // from 0 to 1 by the other one
+  EXPECT_TRUE(fits());
+  instance.costs[2] = limit32 - 1;  // and now not at all within 32 bits
+  EXPECT_FALSE(fits());
+}
+
+TEST(Cch, WhatIsTooFarFor32BitsIsNeverNear) {
+  for (const Millis cost : {limit32 / 2, limit32 - 1, limit32, limit32 + 5, 4 * limit32 + 1, infinity - 1}) {
+    const Instance instance = chain(cost);
+    const CchTopology topology(instance.graph, vertices({1, 2, 0, 3}));
+    CchMetric<W32> metric;
+    metric.customise(topology, instance.costs);
+    const VertexId end{3};
+    CchSweep<W32> sweep;
+    sweep.run(topology, metric, {&end, 1});
+    CchLazyCosts<W32> lazy;
+    lazy.start(topology, metric, end);
+    EXPECT_GE(sweep.cost(topology, VertexId{0}, 0), cch_infinity<W32>) << cost;
+    EXPECT_GE(lazy.cost(topology, metric, VertexId{0}), cch_infinity<W32>) << cost;
+  }
+}
+
+//     0 -> 1 <-> 2 -> 4       all but 2 -> 4 costs nothing: from 1 the way down lies beyond a plateau with
+//          |     |            circles
+//          3 <---+
+TEST(NextHops, CrossesAPlateauWithoutGoingRound) {
+  const Instance plateau = make_instance(
+      5, {{0, 1, 0}, {1, 3, 0}, {3, 1, 0}, {1, 2, 0}, {2, 1, 0}, {2, 3, 0}, {2, 4, 9}, {0, 0, 0}});
+  const std::array<Millis, 5> label{9, 9, 9, 9, 0};
+  std::vector<VertexId> way;
+  walk_next_hops(
+      plateau.graph, plateau.costs, VertexId{0}, VertexId{4}, [&](VertexId v) { return label[v.value]; },
+      way);
+  EXPECT_EQ(way, vertices({1, 2, 4}));
+}
+
+TEST(Fingerprint, KnowsTheGraphByItsArcsAndTheirOrder) {
+  const auto of = [](std::size_t count, std::initializer_list<WeightedArc> arcs) {
+    return fingerprint(make_instance(count, arcs).graph);
+  };
+  const auto original = of(3, {{0, 1}, {1, 2}});
+  EXPECT_EQ(original, of(3, {{0, 1}, {1, 2}}));
+  EXPECT_NE(original, of(4, {{0, 1}, {1, 2}}));
+  EXPECT_NE(original, of(3, {{1, 2}, {0, 1}}));
+  EXPECT_NE(original, of(3, {{0, 1}, {2, 1}}));
+  EXPECT_NE(original, of(3, {{0, 1}}));
+}
+
+}  // namespace
+}  // namespace thalweg::testing

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "traffic/queue_forecast.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/queueing.hpp"
+
+namespace thalweg::testing {
+namespace {
+
+constexpr ForecastOptions nobody_assumed{.repeated = 0};
+
+//     A-B-C-D      300 m roads at 10 m/s: 30 s; a lane lets one pass in 2 s
+class Queues : public ::testing::Test {
+ protected:
+  /// `count` vehicles stand at the end of AB, bound for D.
+  void stand(Driven& driven, std::size_t count) const {
+    std::vector<Driven::At> places;
+    for (std::size_t i = 0; i < count; ++i) {
+      driven.load(i, "ABCD");
+      places.push_back({.vehicle = i, .road = "AB", .metres = 300 - 7.5 * static_cast<double>(i)});
+    }
+    driven.look(places);
+  }
+  [[nodiscard]] double wait(const QueueForecast& forecast, const char* id, std::size_t bin) const {
+    return forecast.wait(road(net, id), bin);
+  }
+
+  Network net = ascii_network("A---B---C---D");
+  Servers servers{net};
+};
+
+TEST_F(Queues, NobodyOnTheRoadsIsNoWait) {
+  Driven driven(net, 1);
+  const Discharge discharge(net, servers, driven.demand);
+  QueueForecast forecast(net, servers, discharge, nobody_assumed);
+  forecast.run(driven.fleet, 0);
+  for (std::size_t bin : {0U, 10U, 59U}) EXPECT_EQ(wait(forecast, "AB", bin), 0);
+}
+
+// 20 vehicles, 7.5 m each, need 40 s. Who is at the end in the middle of the first bin (10 s) waits for the
+// 14 that are there by then; a minute later the queue is gone, and comes to BC stretched, where it is none
+// any more.
+TEST_F(Queues, AQueueIsServedOneByOne) {
+  Driven driven(net, 20);
+  stand(driven, 20);
+  const Discharge discharge(net, servers, driven.demand);
+  QueueForecast forecast(net, servers, discharge, nobody_assumed);
+  forecast.run(driven.fleet, 0);
+  EXPECT_NEAR(wait(forecast, "AB", 0), 18, 1);
+  EXPECT_NEAR(wait(forecast, "AB", 1), 10, 3);
+  EXPECT_EQ(wait(forecast, "AB", 3), 0);
+  EXPECT_LE(wait(forecast, "BC", 2), 2);
+  EXPECT_EQ(wait(forecast, "CD", 2), 0) << "a last road has no queue";
+}
+
+// BC is 15 m long: two find room on it. Its end lets one pass in 66 s (a signal that is red), so that the
+// queue stands back into AB, whose own end would be free.
+TEST_F(Queues, AFullRoadHoldsThoseBehindIt) {
+  const Network narrow = ascii_network("A---B-C---D", {.roads = {{"BC", {.length = 15}}}});
+  Servers slow(narrow);
+  Driven driven(narrow, 10);
+  Discharge discharge(narrow, slow, driven.demand);
+  std::vector<Driven::At> places;
+  for (std::size_t i = 0; i < 10; ++i) {
+    driven.load(i, "ABCD");
+    places.push_back({.vehicle = i, .road = "AB", .metres = 290});
+  }
+  // Learned: the lane of BC lets pass a quarter of what it should.
+  driven.look({});
+  QueueForecast free(narrow, slow, discharge, nobody_assumed);
+  driven.look(places);
+  free.run(driven.fleet, 0);
+  const float unhindered = free.wait(road(narrow, "AB"), 0);
+  EXPECT_NEAR(unhindered, 12, 4) << "nine in front, 2 s each, less 10 s";
+
+  std::vector<Driven::At> jam{{.vehicle = 0, .road = "BC", .metres = 14},
+                              {.vehicle = 1, .road = "BC", .metres = 7}};
+  for (std::size_t i = 2; i < 10; ++i) jam.push_back({.vehicle = i, .road = "AB", .metres = 290});
+  for (Millis look = 0; look <= 1200; ++look) {  // twenty minutes in which nobody moves
+    driven.look(jam);
+    discharge.observe(driven.fleet, look * 1000);
+  }
+  QueueForecast blocked(narrow, slow, discharge, nobody_assumed);
+  blocked.run(driven.fleet, 1'200'000);
+  EXPECT_GT(blocked.wait(road(narrow, "AB"), 0), 2 * unhindered);
+}
+
+// A vehicle every 10 s for 600 s: as many are assumed for the next 600 s, and none when that is switched off.
+TEST_F(Queues, DeparturesAreAssumedToGoOn) {
+  Driven driven(net, 300);
+  const Discharge discharge(net, servers, driven.demand);
+  QueueForecast assuming(net, servers, discharge, {});
+  QueueForecast knowing(net, servers, discharge, nobody_assumed);
+  for (std::size_t i = 0; i < 300; ++i) {
+    driven.load(i, "ABCD", static_cast<Millis>(i) * 2000);
+    assuming.observe(driven.fleet, static_cast<Millis>(i) * 2000);
+    knowing.observe(driven.fleet, static_cast<Millis>(i) * 2000);
+    driven.fleet.on_departed(VehicleId{i});
+    driven.fleet.on_arrived(VehicleId{i});
+  }
+  driven.look({});
+  assuming.run(driven.fleet, 600'000);
+  knowing.run(driven.fleet, 600'000);
+  float assumed = 0;
+  for (std::size_t bin = 0; bin < 60; ++bin) {
+    assumed = std::max(assumed, assuming.wait(road(net, "BC"), bin));
+    EXPECT_EQ(knowing.wait(road(net, "BC"), bin), 0);
+  }
+  EXPECT_GT(assumed, 0);
+}
+
+TEST_F(Queues, TheSameFleetGivesTheSameForecast) {
+  Driven driven(net, 20);
+  stand(driven, 20);
+  const Discharge discharge(net, servers, driven.demand);
+  QueueForecast first(net, servers, discharge, nobody_assumed);
+  QueueForecast again(net, servers, discharge, nobody_assumed);
+  first.run(driven.fleet, 0);
+  for (int run = 0; run < 3; ++run) again.run(driven.fleet, 0);
+  for (std::size_t bin = 0; bin < 60; ++bin) EXPECT_EQ(wait(first, "AB", bin), wait(again, "AB", bin));
+}
+
+}  // namespace
+}  // namespace thalweg::testing
