@@ -54,7 +54,7 @@ class Lab(support.TestCase):
         self.refused(r"broken.xml", "polygon", "-c", broken)
         unknown = write(folder / "unknown.xml", '<configuration><experiment><sides value="9"/><sise value="5"/>'
                                                 "</experiment></configuration>")
-        self.refused(r"unknown.xml: .*'sise'.*did you mean 'sides'", "polygon", "-c", unknown)
+        self.refused(r"unknown.xml: .* has no option 'sise'.*did you mean 'sides'", "polygon", "-c", unknown)
 
     def test_file_command_line_and_csv(self):
         folder = self.folder()
