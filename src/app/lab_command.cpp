@@ -7,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "app/messages.hpp"
+#include "app/routing_options.hpp"
 #include "app/start.hpp"
 #include "core/error.hpp"
 #include "lab/experiment.hpp"
@@ -60,7 +61,7 @@ int run_experiment(const lab::Experiment& experiment, std::span<const std::strin
   Options options = options_of(experiment);
   if (!start(options, arguments, OwnConfiguration::yes)) return 0;
   verify(options.count("repetitions") >= 1, "--repetitions must be at least 1");
-  verify(options.count("threads") >= 1 && options.count("threads") <= 256, "--threads must be from 1 to 256");
+  const std::size_t threads = thread_count(options);
 
   fmt::print("{}\n\n", header_of(experiment, options));
   std::fflush(stdout);
@@ -79,7 +80,7 @@ int run_experiment(const lab::Experiment& experiment, std::span<const std::strin
     report = experiment.run({.parameters = parameters_of(experiment, options),
                              .seed = options.count("seed"),
                              .repetitions = options.count("repetitions"),
-                             .threads = options.count("threads"),
+                             .threads = threads,
                              .progress = progress});
   }
   const std::string text = report.text();

@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/messages.hpp"
 #include "app/order_cache_option.hpp"
+#include "app/routing_options.hpp"
 #include "app/start.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
@@ -20,53 +21,38 @@ namespace thalweg {
 namespace {
 
 Options route_options() {
-  const TurnPenalties penalties;
-  const auto seconds = [](Millis t) { return fmt::format("{}", to_seconds(t)); };
-  return {
-      "route",
-      "routes on a network, without SUMO",
-      {{"configuration", "configuration-file", 'c', "FILE", "", "Takes options from this file"},
-       {"input", "net-file", 'n', "FILE", "", "The network"},
-       {"input", "from", 0, "STR", "", "Routes from this road"},
-       {"input", "to", 0, "STR", "", "to this road"},
-       {"input", "route-files", 'r', "FILE", "", "Routes these trips and flows; vehicles keep their routes"},
-       {"input", "additional-files", 'a', "FILE", "", "Vehicle types are read from these as well"},
-       {"input", "weight-files", 'w', "FILE", "", "Travel times of the roads"},
-       {"output", "output-file", 'o', "FILE", "", "The vehicles with their routes"},
-       {"output", "write-costs", 0, "BOOL", "false", "Writes the cost of each route [s]"},
-       {"time", "begin", 'b', "TIME", "0", "The time whose weights are used"},
-       {"routing", "strategy", 0, "STR", "cch", "hybrid, evolved, cch or dijkstra"},
-       {"routing", "vclass", 0, "STR", "passenger", "The class of trips without a type"},
-       {"routing", "weights.minor-penalty", 0, "TIME", seconds(penalties.minor),
-        "Penalty for a turn that gives way"},
-       {"routing", "weights.turnaround-penalty", 0, "TIME", seconds(penalties.turnaround),
-        "Penalty for a turn-around"},
-       {"routing", "weights.tls-penalty", 0, "TIME", seconds(penalties.signal),
-        "Penalty for a signalled turn"},
-       {"processing", "ignore-errors", 0, "BOOL", "false",
-        "Leaves out what cannot be routed, with a warning"},
-       no_cache_option(),
-       {"processing", "threads", 0, "INT", "1", "Threads; the result does not depend on them"}}};
+  std::vector<OptionSpec> specs{
+      {"configuration", "configuration-file", 'c', "FILE", "", "Takes options from this file"},
+      {"input", "net-file", 'n', "FILE", "", "The network"},
+      {"input", "from", 0, "STR", "", "Routes from this road"},
+      {"input", "to", 0, "STR", "", "to this road"},
+      {"input", "route-files", 'r', "FILE", "", "Routes these trips and flows; vehicles keep their routes"},
+      {"input", "additional-files", 'a', "FILE", "", "Vehicle types are read from these as well"},
+      {"input", "weight-files", 'w', "FILE", "", "Travel times of the roads"},
+      {"output", "output-file", 'o', "FILE", "", "The vehicles with their routes"},
+      {"output", "write-costs", 0, "BOOL", "false", "Writes the cost of each route [s]"},
+      {"time", "begin", 'b', "TIME", "0", "The time whose weights are used"},
+      {"routing", "strategy", 0, "STR", "cch", "hybrid, evolved, cch or dijkstra"},
+      {"routing", "vclass", 0, "STR", "passenger", "The class of trips without a type"},
+      {"processing", "ignore-errors", 0, "BOOL", "false", "Leaves out what cannot be routed, with a warning"},
+      no_cache_option(),
+      threads_option()};
+  for (auto& spec : penalty_options()) specs.push_back(std::move(spec));
+  return {"route", "routes on a network, without SUMO", std::move(specs)};
 }
 
-const auto any_root = [](const xml::Element&) {};
-
 std::unique_ptr<TripRouter> make_router(const Network& network, const Options& options) {
-  const auto threads = options.count("threads");
-  verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
   for (const auto& entry : strategies()) {
     verify(entry.name != options.text("strategy") || !entry.needs_simulation,
            fmt::format("--strategy {}: it watches a simulation and is for 'thalweg run'", entry.name));
   }
   auto strategy =
       make_strategy(options.text("strategy"), {.rule = {.relative = 0, .spread = 0, .absolute = 0},
-                                               .threads = threads,
+                                               .threads = thread_count(options),
                                                .order_cache = order_cache(options)});
   return std::make_unique<TripRouter>(
       network,
-      TripRouter::Setting{.penalties = {.minor = options.time("weights.minor-penalty"),
-                                        .turnaround = options.time("weights.turnaround-penalty"),
-                                        .signal = options.time("weights.tls-penalty")},
+      TripRouter::Setting{.penalties = turn_penalties(options),
                           .weight_files = file_list(options.text("weight-files")),
                           .time = options.time("begin")},
       std::move(strategy));
@@ -102,13 +88,13 @@ class DemandRoute {
         ignore_errors_(options.flag("ignore-errors")) {}
 
   void read_types(const std::string& file) {
-    xml::read_nodes(file, any_root, [&](const xml::Node& node) {
+    xml::read_nodes(file, [&](const xml::Node& node) {
       if (is_type(node)) types_.add(node);
     });
   }
 
   void read(const std::string& file) {
-    xml::read_nodes(file, any_root, [&](xml::Node& node) {
+    xml::read_nodes(file, [&](xml::Node& node) {
       if (is_type(node) || node.name == "route" || node.name == "routeDistribution") {
         if (is_type(node)) types_.add(node);
         definitions_.push_back(std::move(node));

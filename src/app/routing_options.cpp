@@ -16,8 +16,7 @@ std::string seconds(Millis t) { return fmt::format("{}", to_seconds(t)); }
 std::vector<OptionSpec> routing_options() {
   const ControlOptions control;
   const ChoiceRule rule = StrategyOptions{}.rule;
-  const auto& penalties = control.penalties;
-  return {
+  std::vector<OptionSpec> specs{
       {"routing", "period", 0, "STR", seconds(control.period),
        "Every vehicle reconsiders once a period; 'step': at each step"},
       {"routing", "window", 0, "TIME", seconds(control.window), "Travel times are averaged over this time"},
@@ -28,17 +27,30 @@ std::vector<OptionSpec> routing_options() {
       {"routing", "gain.spread", 0, "FLOAT", fmt::format("{}", rule.spread),
        "and up to this share on top, different for each vehicle"},
       {"routing", "gain.absolute", 0, "TIME", seconds(rule.absolute), "and more than this time"},
+      {"routing", "stall", 0, "TIME", seconds(control.stall),
+       "A run without an end stops when nothing has arrived for so long"},
+      threads_option(),
+      no_cache_option(),
+  };
+  for (auto& spec : penalty_options()) specs.push_back(std::move(spec));
+  return specs;
+}
+
+std::vector<OptionSpec> penalty_options() {
+  const TurnPenalties penalties;
+  return {
       {"routing", "weights.minor-penalty", 0, "TIME", seconds(penalties.minor),
        "Penalty for a turn that gives way"},
       {"routing", "weights.turnaround-penalty", 0, "TIME", seconds(penalties.turnaround),
        "Penalty for a turn-around"},
       {"routing", "weights.tls-penalty", 0, "TIME", seconds(penalties.signal),
        "Penalty for a signalled turn"},
-      {"routing", "threads", 0, "INT", "1", "Threads of the router; the result does not depend on them"},
-      {"routing", "stall", 0, "TIME", seconds(control.stall),
-       "A run without an end stops when nothing has arrived for so long"},
-      no_cache_option(),
   };
+}
+
+OptionSpec threads_option() {
+  return {"processing", "threads", 0,
+          "INT",        "1",       "Threads of the router; the result does not depend on them"};
 }
 
 ControlOptions control_options(const Options& options) {
@@ -55,20 +67,28 @@ ControlOptions control_options(const Options& options) {
   control.share = options.number("share");
   verify(control.share >= 0 && control.share <= 1, "--share must be from 0 to 1");
   control.stall = options.time("stall");
-  control.penalties = {.minor = options.time("weights.minor-penalty"),
-                       .turnaround = options.time("weights.turnaround-penalty"),
-                       .signal = options.time("weights.tls-penalty")};
+  control.penalties = turn_penalties(options);
   return control;
 }
 
 StrategyOptions strategy_options(const Options& options) {
-  const auto threads = options.count("threads");
-  verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
   return {.rule = {.relative = options.number("gain.relative"),
                    .spread = options.number("gain.spread"),
                    .absolute = options.time("gain.absolute")},
-          .threads = threads,
+          .threads = thread_count(options),
           .order_cache = order_cache(options)};
+}
+
+TurnPenalties turn_penalties(const Options& options) {
+  return {.minor = options.time("weights.minor-penalty"),
+          .turnaround = options.time("weights.turnaround-penalty"),
+          .signal = options.time("weights.tls-penalty")};
+}
+
+std::size_t thread_count(const Options& options) {
+  const auto threads = options.count("threads");
+  verify(threads >= 1 && threads <= 256, "--threads must be from 1 to 256");
+  return threads;
 }
 
 }  // namespace thalweg

@@ -10,8 +10,6 @@
 namespace thalweg {
 namespace {
 
-const auto any_root = [](const xml::Element&) {};
-
 bool has_taxi_device(const xml::Node& node) {
   return std::any_of(node.children.begin(), node.children.end(), [](const xml::Node& child) {
     return child.name == "param" && child.value_or("key", "") == "has.taxi.device" &&
@@ -45,7 +43,7 @@ bool is_public_transport(const xml::Node& vehicle, VehicleClass vehicle_class) {
 }  // namespace
 
 void read_types(const std::filesystem::path& file, TypeClasses& types) {
-  xml::read_nodes(file, any_root, [&](const xml::Node& node) { add_type(node, types); });
+  xml::read_nodes(file, [&](const xml::Node& node) { add_type(node, types); });
 }
 
 TypeClasses default_types() {
@@ -63,7 +61,7 @@ std::string route_edges(const xml::Node& vehicle) {
 
 RoutesById read_routes(const std::filesystem::path& file) {
   RoutesById routes;
-  xml::read_nodes(file, any_root, [&](const xml::Node& node) {
+  xml::read_nodes(file, [&](const xml::Node& node) {
     if (node.name == "vehicle") routes.emplace(node.require("id"), route_edges(node));
   });
   return routes;
@@ -88,7 +86,7 @@ void read_vehicles(const std::filesystem::path& file, const Network& network, co
                    Demand& out) {
   TypeClasses known = types;
   read_types(file, known);
-  xml::read_nodes(file, any_root, [&](const xml::Node& node) {
+  xml::read_nodes(file, [&](const xml::Node& node) {
     if (node.name == "vehicle") out.vehicles.push_back(describe_vehicle(node, network, known));
   });
 }

@@ -5,6 +5,22 @@
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 
 namespace thalweg::lab {
+namespace {
+
+struct Met {};
+class UntilMet : public boost::default_dijkstra_visitor {
+ public:
+  explicit UntilMet(std::uint32_t target) : target_(target) {}
+  template <class Graph>
+  void examine_vertex(std::uint32_t v, const Graph& /*graph*/) const {
+    if (v == target_) throw Met();
+  }
+
+ private:
+  std::uint32_t target_;
+};
+
+}  // namespace
 
 struct BoostDijkstra::Graph {
   using Rows = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
@@ -13,6 +29,18 @@ struct BoostDijkstra::Graph {
   std::vector<std::int32_t> costs;  ///< in the rows' order; as narrow as those of the other engines
   std::vector<Millis> labels;
   std::vector<std::uint32_t> parents;
+
+  template <class Visitor>
+  void run(VertexId source, const Visitor& visitor) {
+    const auto vertex_index = boost::get(boost::vertex_index, rows);
+    const auto edge_index = boost::get(boost::edge_index, rows);
+    boost::dijkstra_shortest_paths(
+        rows, source.value,
+        boost::weight_map(boost::make_iterator_property_map(costs.cbegin(), edge_index))
+            .distance_map(boost::make_iterator_property_map(labels.begin(), vertex_index))
+            .predecessor_map(boost::make_iterator_property_map(parents.begin(), vertex_index))
+            .visitor(visitor));
+  }
 };
 
 BoostDijkstra::BoostDijkstra(const Digraph& graph, std::span<const std::int32_t> costs)
@@ -36,14 +64,15 @@ BoostDijkstra::BoostDijkstra(const Digraph& graph, std::span<const std::int32_t>
 BoostDijkstra::~BoostDijkstra() = default;
 
 void BoostDijkstra::run(VertexId source) {
-  auto& [rows, costs, labels, parents] = *graph_;
-  const auto vertex_index = boost::get(boost::vertex_index, rows);
-  const auto edge_index = boost::get(boost::edge_index, rows);
-  boost::dijkstra_shortest_paths(
-      rows, source.value,
-      boost::weight_map(boost::make_iterator_property_map(costs.cbegin(), edge_index))
-          .distance_map(boost::make_iterator_property_map(labels.begin(), vertex_index))
-          .predecessor_map(boost::make_iterator_property_map(parents.begin(), vertex_index)));
+  graph_->run(source, boost::dijkstra_visitor<boost::null_visitor>());
+}
+
+Millis BoostDijkstra::run(VertexId source, VertexId target) {
+  try {
+    graph_->run(source, UntilMet(target.value));
+  } catch (const Met&) {  // Boost's own way of ending a search
+  }
+  return graph_->labels[target.value];
 }
 
 const std::vector<Millis>& BoostDijkstra::labels() const { return graph_->labels; }

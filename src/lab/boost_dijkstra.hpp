@@ -11,8 +11,8 @@
 
 namespace thalweg::lab {
 
-/// Boost.Graph's Dijkstra over Boost's own compressed rows: what the runtime experiment is held against.
-/// Nothing else uses it.
+/// Boost.Graph's Dijkstra over Boost's own compressed rows: what the runtime experiment and the benchmarks
+/// are held against. Nothing else uses it.
 class BoostDijkstra {
  public:
   BoostDijkstra(const Digraph& graph, std::span<const std::int32_t> costs);
@@ -21,7 +21,9 @@ class BoostDijkstra {
   ~BoostDijkstra();
 
   void run(VertexId source);
-  /// Of all vertices, from the last run; unreached ones have the greatest Millis.
+  /// Ends when `target` is met. Its label; the greatest Millis: it is out of reach.
+  Millis run(VertexId source, VertexId target);
+  /// Of all vertices, from the last whole run; unreached ones have the greatest Millis.
   [[nodiscard]] const std::vector<Millis>& labels() const;
 
  private:

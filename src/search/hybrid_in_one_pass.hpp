@@ -11,15 +11,17 @@
 
 namespace thalweg {
 
-/// Storage of `partition_and_hybrid`, to be reused; one a thread. What a search asks about a vertex lies
-/// together: on a grid of 4 million vertices that was about a sixth faster than three arrays (docs/paper.md).
-struct OnePassScratch {
+/// Regions and best fewest-arc paths of one search. What a search asks about a vertex lies together: on a
+/// grid of 4 million vertices that was about a sixth faster than an array each (docs/paper.md).
+struct MarkedRegions {
   struct Mark {
-    Millis label = infinity;
-    ArcId parent;
-    std::uint32_t number = 0;
+    Millis label = infinity;   ///< as in Tree
+    ArcId parent;              ///< as in Tree
+    std::uint32_t number = 0;  ///< as in Regions
   };
   IdVector<VertexId, Mark> marks;
+  std::vector<VertexId> order;       ///< as in Regions
+  std::vector<std::uint32_t> first;  ///< as in Regions
 };
 
 /// `partition` and `hybrid` (minimum) at once, with the same result to the last parent: all labels of a
@@ -28,13 +30,13 @@ struct OnePassScratch {
 /// twice.
 template <Direction direction, ArcCost C>
 void partition_and_hybrid(const Digraph& graph, std::span<const VertexId> sources, const C& cost,
-                          Regions& regions, Tree& tree, OnePassScratch& scratch) {
+                          MarkedRegions& out) {
   const std::size_t count = graph.vertex_count();
-  auto& marks = scratch.marks;
-  auto& order = regions.order;
+  auto& marks = out.marks;
+  auto& order = out.order;
   marks.assign(count, {});
   order.resize(count);
-  regions.first.assign(1, 0);
+  out.first.assign(1, 0);
   std::uint32_t size = 0;
   for (const VertexId source : sources) {
     if (marks[source].number != 0) continue;
@@ -43,8 +45,8 @@ void partition_and_hybrid(const Digraph& graph, std::span<const VertexId> source
   }
   for (std::uint32_t i = 0; i < size;) {
     const std::uint32_t end = size;
-    regions.first.push_back(end);
-    const std::uint32_t next = regions.count() + 1;
+    out.first.push_back(end);
+    const auto next = static_cast<std::uint32_t>(out.first.size());
     for (; i < end; ++i) {
       const VertexId u = order[i];
       const Millis label = marks[u].label;
@@ -64,16 +66,6 @@ void partition_and_hybrid(const Digraph& graph, std::span<const VertexId> source
     }
   }
   order.resize(size);
-  tree.label.resize(count);
-  tree.parent.resize(count);
-  regions.number.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const VertexId v{i};
-    const auto& mark = marks[v];
-    tree.label[v] = mark.label;
-    tree.parent[v] = mark.parent;
-    regions.number[v] = mark.number;
-  }
 }
 
 }  // namespace thalweg

@@ -90,6 +90,11 @@ void read_nodes(const std::filesystem::path& file, const std::function<void(cons
   read(file, handler);
 }
 
+void read_nodes(const std::filesystem::path& file, const std::function<void(Node&)>& each) {
+  read_nodes(
+      file, [](const Element&) {}, each);
+}
+
 void write_node(Writer& writer, const Node& node) {
   writer.open(node.name);
   for (const auto& [name, value] : node.attributes) writer.attribute(name, value);

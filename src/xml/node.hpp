@@ -33,6 +33,8 @@ struct Node {
 /// time.
 void read_nodes(const std::filesystem::path& file, const std::function<void(const Element&)>& root,
                 const std::function<void(Node&)>& each);
+/// The same for a file whose root does not matter.
+void read_nodes(const std::filesystem::path& file, const std::function<void(Node&)>& each);
 
 void write_node(Writer& writer, const Node& node);
 

@@ -141,37 +141,39 @@ TEST(Hybrid, IsOptimalAmongTheFewestArcPaths) {
 
 template <Direction direction>
 void expect_one_pass_equals_two(const Instance& instance, std::span<const VertexId> sources,
-                                OnePassScratch& scratch) {
+                                MarkedRegions& at_once) {
   Regions regions;
   Tree tree;
   partition<direction>(instance.graph, sources, regions);
   hybrid<direction>(instance.graph, regions, instance, tree);
-  static Regions at_once;  // what is left over from another graph must not show
-  static Tree tree_at_once;
-  partition_and_hybrid<direction>(instance.graph, sources, instance, at_once, tree_at_once, scratch);
+  partition_and_hybrid<direction>(instance.graph, sources, instance, at_once);
   ASSERT_EQ(at_once.order, regions.order);
   ASSERT_EQ(at_once.first, regions.first);
-  ASSERT_EQ(at_once.number, regions.number);
-  ASSERT_EQ(tree_at_once.label, tree.label);
-  ASSERT_EQ(tree_at_once.parent, tree.parent);
+  ASSERT_EQ(at_once.marks.size(), instance.graph.vertex_count());
+  for (std::size_t i = 0; i < at_once.marks.size(); ++i) {
+    const VertexId v{i};
+    ASSERT_EQ(at_once.marks[v].number, regions.number[v]);
+    ASSERT_EQ(at_once.marks[v].label, tree.label[v]);
+    ASSERT_EQ(at_once.marks[v].parent, tree.parent[v]);
+  }
 }
 
 // Equal costs, closed arcs, parallel arcs, loops and several sources included.
 TEST(HybridInOnePass, EqualsPartitionAndHybridToTheLastParent) {
-  OnePassScratch scratch;
+  MarkedRegions at_once;  // used again: what is left over from another graph must not show
   for (std::uint64_t seed = 0; seed < 1'000; ++seed) {
     for (const InstanceType type : {InstanceType::mixed, InstanceType::simple, InstanceType::directed}) {
       const Instance instance = testing::random_instance(type, seed);
       const auto last = static_cast<std::uint32_t>(instance.graph.vertex_count() - 1);
       for (const auto& sources : {vertices({0}), vertices({last, 0, last})}) {
-        expect_one_pass_equals_two<Direction::forward>(instance, sources, scratch);
-        expect_one_pass_equals_two<Direction::backward>(instance, sources, scratch);
+        expect_one_pass_equals_two<Direction::forward>(instance, sources, at_once);
+        expect_one_pass_equals_two<Direction::backward>(instance, sources, at_once);
       }
       ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
     }
   }
-  expect_one_pass_equals_two<Direction::forward>(make_instance(0, {}), {}, scratch);
-  expect_one_pass_equals_two<Direction::forward>(make_instance(2, {{0, 1}}), {}, scratch);
+  expect_one_pass_equals_two<Direction::forward>(make_instance(0, {}), {}, at_once);
+  expect_one_pass_equals_two<Direction::forward>(make_instance(2, {{0, 1}}), {}, at_once);
 }
 
 }  // namespace
