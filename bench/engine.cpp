@@ -14,6 +14,10 @@
 #include "lab/boost_dijkstra.hpp"
 #include "nets.hpp"
 #include "routing/cch_engine.hpp"
+#include "routing/next_hops.hpp"
+#ifdef THALWEG_BENCH_ROUTINGKIT
+#include "routing_kit.hpp"
+#endif
 
 namespace thalweg::bench {
 namespace {
@@ -91,18 +95,24 @@ void sweep(State& state, Maker make) {
   report(state, on.topology);
 }
 
-/// A lone cost, without its way.
-void single_query(State& state, Maker make) {
+/// A lone cost, with its way or without.
+void single_query(State& state, Maker make, bool with_way) {
   const Prepared& on = prepared(make);
   CchMetric<std::uint32_t> metric;
   metric.customise(on.topology, on.net.costs);
   CchLazyCosts<std::uint32_t> lazy;
+  const auto cost = [&](VertexId from) { return from_label(lazy.cost(on.topology, metric, from)); };
   const auto due = travellers(on.net, 1'000, 1);
+  std::vector<VertexId> roads;
   std::size_t i = 0;
   for (auto _ : state) {
     const Traveller& traveller = due[i++ % due.size()];
-    lazy.start(on.topology, metric, traveller.waypoints.front());
-    ::benchmark::DoNotOptimize(lazy.cost(on.topology, metric, traveller.route.front()));
+    const VertexId from = traveller.route.front();
+    const VertexId to = traveller.waypoints.front();
+    lazy.start(on.topology, metric, to);
+    ::benchmark::DoNotOptimize(cost(from));
+    roads.clear();
+    if (with_way) walk_next_hops(on.net.graph, on.net.costs, from, to, cost, roads);
   }
   report(state, on.topology);
 }
@@ -112,6 +122,23 @@ Millis dijkstra_cost(const Net& net, const std::vector<Millis>& costs, const Leg
   dijkstra<Direction::backward>(net.graph, {&leg.destination, 1}, [&](ArcId arc) { return costs[arc.value]; },
                                 tree, scratch, {&leg.origin, 1});
   return tree.label[leg.origin];
+}
+
+/// Ends the program unless `cost(from, to)` of the first travellers is that of Dijkstra's algorithm.
+template <class Cost>
+void expect_exact(const Net& net, std::span<const Traveller> due, const Cost& cost) {
+  Tree tree;
+  DijkstraScratch scratch;
+  for (const Traveller& traveller : due.first(20)) {
+    const Leg leg{.vehicle_class = 0,
+                  .destination = traveller.waypoints.front(),
+                  .origin = traveller.route.front(),
+                  .traveller = 0,
+                  .number = 0};
+    if (cost(leg.origin, leg.destination) == dijkstra_cost(net, net.costs, leg, tree, scratch)) continue;
+    std::cerr << "a peer's cost differs from that of Dijkstra's algorithm\n";
+    std::exit(1);
+  }
 }
 
 /// A round: new costs, customisation, sweeps, and the way of every vehicle. The first and every 97th is held
@@ -171,19 +198,7 @@ void boost_query(State& state, Maker make) {
   });
   lab::BoostDijkstra boost(on.net.graph, costs);
   const auto due = travellers(on.net, 1'000, 1);
-  Tree tree;
-  DijkstraScratch scratch;
-  for (std::size_t k = 0; k < 20; ++k) {
-    const Leg leg{.vehicle_class = 0,
-                  .destination = due[k].waypoints.front(),
-                  .origin = due[k].route.front(),
-                  .traveller = 0,
-                  .number = 0};
-    if (boost.run(leg.origin, leg.destination) != dijkstra_cost(on.net, on.net.costs, leg, tree, scratch)) {
-      std::cerr << "a cost of Boost's differs from ours\n";
-      std::exit(1);
-    }
-  }
+  expect_exact(on.net, due, [&](VertexId from, VertexId to) { return boost.run(from, to); });
   std::size_t i = 0;
   for (auto _ : state) {
     const Traveller& traveller = due[i++ % due.size()];
@@ -192,10 +207,34 @@ void boost_query(State& state, Maker make) {
   report(state, on.topology);
 }
 
+#ifdef THALWEG_BENCH_ROUTINGKIT
+void routing_kit_customise(State& state, Maker make) {
+  const Prepared& on = prepared(make);
+  RoutingKit peer(on.net.graph, on.topology.order(), live_costs(on.net, 1));
+  for (auto _ : state) peer.customise();
+  report(state, on.topology);
+}
+
+/// A lone cost, with its way or without.
+void routing_kit_query(State& state, Maker make, bool with_way) {
+  const Prepared& on = prepared(make);
+  RoutingKit peer(on.net.graph, on.topology.order(), on.net.costs);
+  const auto due = travellers(on.net, 1'000, 1);
+  expect_exact(on.net, due, [&](VertexId from, VertexId to) { return peer.cost(from, to); });
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const Traveller& traveller = due[i++ % due.size()];
+    ::benchmark::DoNotOptimize(peer.cost(traveller.route.front(), traveller.waypoints.front()));
+    if (with_way) ::benchmark::DoNotOptimize(peer.unpack());
+  }
+  report(state, on.topology);
+}
+#endif
+
 template <class Function, class... Arguments>
 void add(const std::string& name, Function function, Arguments... arguments) {
   ::benchmark::RegisterBenchmark(name.c_str(), [=](State& state) { function(state, arguments...); })
-      ->Unit(::benchmark::kMillisecond)
+      ->Unit(name.starts_with("query") ? ::benchmark::kMicrosecond : ::benchmark::kMillisecond)
       ->MeasureProcessCPUTime();
 }
 
@@ -205,7 +244,13 @@ void add_net(const std::string& name, Maker make, bool single_queries) {
   add("customise/64 bits/" + name, customise<std::uint64_t>, make, std::size_t{1});
   add("customise/32 bits, 2 threads/" + name, customise<std::uint32_t>, make, std::size_t{2});
   add("sweep to 16/" + name, sweep, make);
-  add("query/hierarchy/" + name, single_query, make);
+  add("query/hierarchy/" + name, single_query, make, false);
+  add("query/hierarchy, with its way/" + name, single_query, make, true);
+#ifdef THALWEG_BENCH_ROUTINGKIT
+  add("customise/RoutingKit/" + name, routing_kit_customise, make);
+  add("query/RoutingKit/" + name, routing_kit_query, make, false);
+  add("query/RoutingKit, with its way/" + name, routing_kit_query, make, true);
+#endif
   if (single_queries) {
     add("query/Dijkstra/" + name, dijkstra_query, make);
     add("query/Boost/" + name, boost_query, make);

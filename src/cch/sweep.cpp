@@ -77,26 +77,24 @@ template <CchWeight W>
 void CchLazyCosts<W>::start(const CchTopology& topology, const CchMetric<W>& metric, VertexId destination) {
   if (labels_.size() != topology.vertex_count()) {
     labels_.assign(topology.vertex_count(), cch_infinity<W>);
-    reached_.assign(topology.vertex_count(), 0);
-    final_.assign(topology.vertex_count(), 0);
-    run_ = 0;
+    is_final_.assign(topology.vertex_count(), 0);
+  } else {
+    for (const Rank v : touched_) {
+      labels_[v] = cch_infinity<W>;
+      is_final_[v] = 0;
+    }
   }
-  if (++run_ == 0) {  // once in 2^32 destinations the stamps begin anew
-    reached_.assign(reached_.size(), 0);
-    final_.assign(final_.size(), 0);
-    run_ = 1;
-  }
+  touched_.clear();
   Rank v = topology.rank(destination);
   labels_[v] = 0;
-  reached_[v] = run_;
-  while (true) {  // up the elimination tree: the ways into the destination
-    const W label = reached_[v] == run_ ? labels_[v] : cch_infinity<W>;
-    for (auto edge = topology.first_edge(v); edge < topology.first_edge(v + 1); ++edge) {
-      const Rank higher = topology.head(edge);
-      const W sum = label + metric.down[edge];  // does not wrap: labels are below infinity, costs at most it
-      if (sum >= (reached_[higher] == run_ ? labels_[higher] : cch_infinity<W>)) continue;
-      labels_[higher] = sum;
-      reached_[higher] = run_;
+  while (true) {  // up the elimination tree, where all that is reached lies: the ways into the destination
+    touched_.push_back(v);
+    const W label = labels_[v];
+    if (label < cch_infinity<W>) {
+      for (auto edge = topology.first_edge(v); edge < topology.first_edge(v + 1); ++edge) {
+        W& higher = labels_[topology.head(edge)];
+        higher = std::min<W>(higher, label + metric.down[edge]);
+      }
     }
     if (topology.parent(v) == v) break;
     v = topology.parent(v);
@@ -107,20 +105,20 @@ template <CchWeight W>
 W CchLazyCosts<W>::cost(const CchTopology& topology, const CchMetric<W>& metric, VertexId from) {
   const Rank rank = topology.rank(from);
   chain_.clear();
-  for (Rank v = rank; final_[v] != run_; v = topology.parent(v)) {
+  for (Rank v = rank; is_final_[v] == 0; v = topology.parent(v)) {
     chain_.push_back(v);
     if (topology.parent(v) == v) break;
   }
   while (!chain_.empty()) {
     const Rank v = chain_.back();
     chain_.pop_back();
-    W label = reached_[v] == run_ ? labels_[v] : cch_infinity<W>;
+    W label = labels_[v];
     for (auto edge = topology.first_edge(v); edge < topology.first_edge(v + 1); ++edge) {
       label = std::min<W>(label, labels_[topology.head(edge)] + metric.up[edge]);
     }
     labels_[v] = label;
-    reached_[v] = run_;
-    final_[v] = run_;
+    is_final_[v] = 1;
+    touched_.push_back(v);
   }
   return labels_[rank];
 }

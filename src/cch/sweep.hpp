@@ -40,11 +40,10 @@ class CchLazyCosts {
   W cost(const CchTopology& topology, const CchMetric<W>& metric, VertexId from);
 
  private:
-  std::vector<W> labels_;                 ///< by rank; valid where the stamp is the run's
-  std::vector<std::uint32_t> reached_;    ///< run in which the label was written
-  std::vector<std::uint32_t> final_;      ///< run in which the label became final
-  std::vector<CchTopology::Rank> chain_;  ///< scratch
-  std::uint32_t run_ = 0;
+  std::vector<W> labels_;                   ///< by rank; infinite but at `touched_`
+  std::vector<std::uint8_t> is_final_;      ///< by rank; only at `touched_`
+  std::vector<CchTopology::Rank> touched_;  ///< what the next start wipes
+  std::vector<CchTopology::Rank> chain_;    ///< scratch
 };
 
 extern template class CchSweep<std::uint32_t>;

@@ -14,6 +14,7 @@ CchTopology::CchTopology(const Digraph& graph, EliminationOrder order)
   assert(order_.size() == graph.vertex_count());
   for (Rank r = 0; r < order_.size(); ++r) ranks_[order_[r]] = r;
   complete(graph);
+  list_parents();
   list_lower_edges();
   cut_subtrees();
   place_arcs(graph);
@@ -46,6 +47,11 @@ void CchTopology::complete(const Digraph& graph) {
       triangle_count_ += static_cast<std::uint64_t>(row.size()) * (row.size() - 1) / 2;
     }
   }
+}
+
+void CchTopology::list_parents() {
+  parents_.resize(vertex_count());
+  for (Rank v = 0; v < vertex_count(); ++v) parents_[v] = first_[v] == first_[v + 1] ? v : heads_[first_[v]];
 }
 
 void CchTopology::list_lower_edges() {

@@ -37,7 +37,7 @@ class CchTopology {
     return {heads_.data() + first_[v], heads_.data() + first_[v + 1]};
   }
   /// The elimination tree: the lowest of the higher neighbours; `v` itself at a root.
-  [[nodiscard]] Rank parent(Rank v) const { return first_[v] == first_[v + 1] ? v : heads_[first_[v]]; }
+  [[nodiscard]] Rank parent(Rank v) const { return parents_[v]; }
 
   /// An edge from a lower rank, as its higher end sees it.
   struct LowerEdge {
@@ -67,6 +67,7 @@ class CchTopology {
 
  private:
   void complete(const Digraph& graph);
+  void list_parents();
   void list_lower_edges();
   void cut_subtrees();
   void place_arcs(const Digraph& graph);
@@ -75,6 +76,7 @@ class CchTopology {
   IdVector<VertexId, Rank> ranks_;
   std::vector<EdgeIndex> first_;
   std::vector<Rank> heads_;
+  std::vector<Rank> parents_;
   std::vector<EdgeIndex> lower_first_;
   std::vector<LowerEdge> lower_;
   std::vector<Subtree> subtrees_;

@@ -23,21 +23,29 @@ void walk_next_hops(const Digraph& graph, const std::vector<Millis>& costs, Vert
   };
   std::vector<Step> plateau;
   VertexId at = from;
+  Millis height = label(from);
   while (at != to) {
     plateau.assign(1, {.vertex = at, .from = 0});
-    VertexId down;
+    Arc down;
     std::size_t reached = 0;
-    for (std::size_t i = 0; i < plateau.size() && !down.valid(); ++i) {
+    for (std::size_t i = 0; i < plateau.size() && !down.end.valid(); ++i) {
       reached = i;
       if (plateau[i].vertex == to) break;
-      const Millis height = label(plateau[i].vertex);
-      for (const Arc& arc : graph.out(plateau[i].vertex)) {
+      const auto arcs = graph.out(plateau[i].vertex);
+      const auto possible = [&](const Arc& arc) { return costs[arc.id.value] <= height; };
+      std::size_t left = static_cast<std::size_t>(std::count_if(arcs.begin(), arcs.end(), possible));
+      bool is_known_way = false;
+      for (const Arc& arc : arcs) {
+        if (!possible(arc)) continue;
         const Millis cost = costs[arc.id.value];
-        if (cost > height || label(arc.end) != height - cost) continue;
+        // Labels are exact: some arc is tight, so the last needs no look when none before it was.
+        const bool is_tight = (--left == 0 && !is_known_way) || label(arc.end) == height - cost;
+        if (!is_tight) continue;
         if (cost > 0) {
-          down = arc.end;
+          down = arc;
           break;
         }
+        is_known_way = true;
         const bool known = std::any_of(plateau.begin(), plateau.end(),
                                        [&](const Step& step) { return step.vertex == arc.end; });
         if (!known) plateau.push_back({.vertex = arc.end, .from = i});
@@ -46,11 +54,11 @@ void walk_next_hops(const Digraph& graph, const std::vector<Millis>& costs, Vert
     const std::size_t end = roads.size();
     for (std::size_t i = reached; i != 0; i = plateau[i].from) roads.push_back(plateau[i].vertex);
     std::reverse(roads.begin() + static_cast<std::ptrdiff_t>(end), roads.end());
-    at = plateau[reached].vertex;
-    if (at == to) return;
-    assert(down.valid());  // labels are exact: some arc is tight
-    roads.push_back(down);
-    at = down;
+    if (plateau[reached].vertex == to) return;
+    assert(down.end.valid());
+    at = down.end;
+    height -= costs[down.id.value];
+    roads.push_back(at);
   }
 }
 
