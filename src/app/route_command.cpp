@@ -108,8 +108,12 @@ class DemandRoute {
     });
   }
 
-  void write(const std::filesystem::path& file) {
+  void route() {
+    const Stage stage(fmt::format("Routing {} trips", trips_));
     router_.route();
+  }
+
+  void write(const std::filesystem::path& file) {
     std::stable_sort(vehicles_.begin(), vehicles_.end(),
                      [](const Vehicle& a, const Vehicle& b) { return a.depart < b.depart; });
     xml::Writer writer(file, options_.header());
@@ -208,6 +212,7 @@ int route_demand(TripRouter& router, const Options& options) {
   DemandRoute demand(router, options);
   for (const auto& file : file_list(options.text("additional-files"))) demand.read_types(file);
   for (const auto& file : file_list(options.text("route-files"))) demand.read(file);
+  demand.route();
   demand.write(options.text("output-file"));
   return 0;
 }
