@@ -20,6 +20,8 @@ std::vector<OptionSpec> routing_options() {
       {"routing", "period", 0, "STR", seconds(control.period),
        "Every vehicle reconsiders once a period; 'step': at each step"},
       {"routing", "window", 0, "TIME", seconds(control.window), "Travel times are averaged over this time"},
+      {"routing", "adaptation-interval", 0, "TIME", seconds(control.adaptation_interval),
+       "The travel times that vehicles decide by are updated so often"},
       {"routing", "share", 0, "FLOAT", fmt::format("{}", control.share),
        "Share of the vehicles that is ours, by a hash of their ids"},
       {"routing", "gain.relative", 0, "FLOAT", fmt::format("{}", rule.relative),
@@ -64,6 +66,8 @@ ControlOptions control_options(const Options& options) {
   }
   control.window = options.time("window");
   verify(control.window > 0, "--window must be above 0");
+  control.adaptation_interval = options.time("adaptation-interval");
+  verify(control.adaptation_interval >= 0, "--adaptation-interval must not be below 0");
   control.share = options.number("share");
   verify(control.share >= 0 && control.share <= 1, "--share must be from 0 to 1");
   control.stall = options.time("stall");

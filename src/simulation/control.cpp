@@ -95,8 +95,11 @@ class Controller {
       const auto observations = simulation_.observe(strategy_.looks_ahead());
       measured_.sample(observations);
       if (strategy_.looks_ahead()) watch(observations);
-      fresh_.assign(traffic_.size(), false);
       next_sample_ += sample_interval_;  // not from now on: steps of 0.3 s would make 1.2 s of 1 s
+    }
+    if (simulation_.now() >= next_adaptation_) {
+      fresh_.assign(traffic_.size(), false);
+      next_adaptation_ = simulation_.now() + options_.adaptation_interval;
     }
     agenda_.take_due(simulation_.now(), due_);
     if (!due_.empty()) decide();
@@ -165,7 +168,7 @@ class Controller {
     plans_.push_back(std::move(plan));
   }
 
-  /// Brings the costs of the classes that are asked for up to the last sample.
+  /// Brings the costs of the classes that are asked for up to the last sample, once an adaptation interval.
   void refresh_traffic() {
     for (const Traveller& traveller : travellers_) {
       if (fresh_[traveller.vehicle_class]) continue;
@@ -235,6 +238,7 @@ class Controller {
   IdVector<SignalId, SignalProgramme> programmes_;
   std::vector<SignalId> changed_signals_;
   Millis next_sample_ = 0;
+  Millis next_adaptation_ = 0;
   std::array<std::optional<std::size_t>, 64> class_index_;
   std::vector<std::unique_ptr<RoadGraph>> graphs_;
   std::vector<ClassTraffic> traffic_;
