@@ -234,9 +234,10 @@ def report(lines, scenarios, seeds=None, options=""):
     if not lines:
         raise Mistake("there is no run to report")
     routers = {line["arm"]: line["router"] for line in lines if line["router"]}
-    text = [f"SUMO {lines[0]['sumo']}{', options ' + options if options else ''}; "
-            + ", ".join(f"`{arm}` of src {router}" for arm, router in sorted(routers.items()))
-            + f"; {min(line['date'] for line in lines)[:10]} to {max(line['date'] for line in lines)[:10]}.", "",
+    origin = [f"SUMO {lines[0]['sumo']}", *([f"options {options}"] if options else []),
+              *(f"`{arm}` of src {router}" for arm, router in sorted(routers.items())),
+              f"{min(line['date'] for line in lines)[:10]} to {max(line['date'] for line in lines)[:10]}"]
+    text = ["; ".join(origin) + ".", "",
             "Mean commute in s with its 95 % interval (Student, over seeds); ratios over the seeds that both arms have; "
             f"`{TUNED}` is the setting with the least mean over seeds {' and '.join(map(str, TUNING_SEEDS))}, and "
             "flattered on these; * the best baseline by mean; teleports and unfinished vehicles a run; the router's "
