@@ -14,7 +14,7 @@ namespace thalweg {
 struct ControlOptions {
   Millis period = 60'000;          ///< each vehicle reconsiders once a period; 0: at every step
   Millis window = 180'000;         ///< over which travel times are averaged
-  Millis sample_interval = 1'000;       ///< between two looks at the traffic
+  Millis sample_interval = 2'000;       ///< between two looks at the traffic
   Millis adaptation_interval = 10'000;  ///< between two updates of the travel times that strategies see
   double share = 1.0;              ///< share of the vehicles that is ours
   Millis stall = 3'600'000;        ///< without an end, stop when nothing has arrived for so long

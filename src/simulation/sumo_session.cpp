@@ -140,7 +140,8 @@ class SumoSession : public Simulation {
  private:
   struct Running {
     std::string name;
-    VehicleId id;  ///< invalid: not of the demand
+    VehicleId id;   ///< invalid: not of the demand
+    RoadId road{};  ///< where it was seen last
   };
 
   /// SUMO's failures come out in its own words.
@@ -186,21 +187,27 @@ class SumoSession : public Simulation {
     running_.pop_back();
   }
 
-  bool look_at_road(const Running& vehicle) {
-    const auto road = network_.find_road(libsumo::Vehicle::getRoadID(vehicle.name));
-    if (road) observations_.push_back({.road = *road, .vehicle = vehicle.id});
-    return road.has_value();
+  /// The road of this name; mostly the one where the vehicle was seen last. False: none (teleporting).
+  bool find(std::string_view name, Running& vehicle) const {
+    if (vehicle.road.valid() && network_.roads[vehicle.road].id == name) return true;
+    vehicle.road = network_.find_road(name).value_or(RoadId{});
+    return vehicle.road.valid();
   }
-  bool look_at_lane(const Running& vehicle) {
+  bool look_at_road(Running& vehicle) {
+    if (!find(libsumo::Vehicle::getRoadID(vehicle.name), vehicle)) return false;
+    observations_.push_back({.road = vehicle.road, .vehicle = vehicle.id});
+    return true;
+  }
+  bool look_at_lane(Running& vehicle) {
     const std::string name = libsumo::Vehicle::getLaneID(vehicle.name);
     const auto mark = name.rfind('_');
-    if (mark == std::string::npos) return false;  // teleporting
-    const auto road = network_.find_road(std::string_view(name).substr(0, mark));
+    if (mark == std::string::npos || !find(std::string_view(name).substr(0, mark), vehicle)) return false;
+    const Road& road = network_.roads[vehicle.road];
     const auto index = parse_integer<std::uint32_t>(std::string_view(name).substr(mark + 1));
-    if (!road || !index || *index >= network_.roads[*road].lane_count) return false;
-    observations_.push_back({.road = *road,
+    if (!index || *index >= road.lane_count) return false;
+    observations_.push_back({.road = vehicle.road,
                              .vehicle = vehicle.id,
-                             .lane = LaneId{network_.roads[*road].first_lane.value + *index},
+                             .lane = LaneId{road.first_lane.value + *index},
                              .position = libsumo::Vehicle::getLanePosition(vehicle.name)});
     return true;
   }
