@@ -27,6 +27,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       discharge_(discharge),
       options_(options),
       horizon_(to_seconds(options.bin) * static_cast<double>(options.bins)),
+      seconds_(static_cast<std::size_t>(horizon_) + 1),
       queues_(network.lanes.size()),
       occupancy_(network.roads.size()),
       next_insertion_(network.roads.size()),
@@ -46,17 +47,22 @@ void QueueForecast::run(const Fleet& fleet, Millis now) {
   for (const LaneId lane : used_) queues_[lane].clear();
   used_.clear();
   movers_.clear();
-  heap_.clear();
+  for (auto& events : seconds_) events.clear();
+  second_ = 0;
   occupancy_.assign(occupancy_.size(), 0);
   next_insertion_.assign(next_insertion_.size(), -1e9);
   for (const VehicleId vehicle : fleet.present()) place(fleet[vehicle], to_seconds(now));
   if (options_.repeated > 0) repeat_departures(fleet, now);
-  while (!heap_.empty()) {
-    std::pop_heap(heap_.begin(), heap_.end());
-    const Event event = heap_.back();
-    heap_.pop_back();
-    if (event.time > horizon_) break;
-    handle(event);
+  // A heap a second and not one for all: most events are far off, and need no order among themselves yet.
+  for (second_ = 0; second_ < seconds_.size(); ++second_) {
+    auto& events = seconds_[second_];
+    std::make_heap(events.begin(), events.end());
+    while (!events.empty()) {
+      std::pop_heap(events.begin(), events.end());
+      const Event event = events.back();
+      events.pop_back();
+      handle(event);
+    }
   }
   tabulate();
 }
@@ -104,8 +110,11 @@ void QueueForecast::add(const std::vector<RoadId>& route, std::size_t position, 
 }
 
 void QueueForecast::push(double time, Kind kind, std::uint32_t subject) {
-  heap_.push_back({.time = time, .kind = kind, .subject = subject});
-  std::push_heap(heap_.begin(), heap_.end());
+  if (time > horizon_) return;
+  const std::size_t second = std::max(second_, static_cast<std::size_t>(std::max(0.0, time)));
+  auto& events = seconds_[second];
+  events.push_back({.time = time, .kind = kind, .subject = subject});
+  if (second == second_) std::push_heap(events.begin(), events.end());
 }
 
 void QueueForecast::handle(const Event& event) {

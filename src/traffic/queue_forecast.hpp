@@ -105,7 +105,8 @@ class QueueForecast {
   Millis noted_until_ = -1;
 
   std::vector<Mover> movers_;
-  std::vector<Event> heap_;
+  std::vector<std::vector<Event>> seconds_;  ///< events to come, by the second in which they are
+  std::size_t second_ = 0;                   ///< at hand: its events are a heap
   IdVector<LaneId, Queue> queues_;
   std::vector<LaneId> used_;  ///< queues that are not as new
   IdVector<RoadId, int> occupancy_;
