@@ -43,6 +43,9 @@ void tell_end(const RunResult& result, Millis stall) {
     warn(
         fmt::format("interrupted at {} s; the outputs are complete up to there", format_seconds(result.end)));
   }
+  if (result.unreachable > 0)
+    warn(fmt::format("{} time(s) no way led from a vehicle's road to where it must go; it kept its route",
+                     result.unreachable));
   if (result.refused > 0)
     warn(fmt::format("SUMO refused {} route(s); those vehicles kept theirs", result.refused));
 }

@@ -60,7 +60,8 @@ class Controller {
         sample_interval_(std::max(options.sample_interval, simulation.step_length())),
         measured_(network, options.window, sample_interval_),
         fleet_(demand),
-        programmes_(network.signals.size()) {
+        programmes_(network.signals.size()),
+        no_way_from_(demand.vehicles.size()) {
     for (const DemandVehicle& vehicle : demand.vehicles) {
       auto& index = class_index_[static_cast<std::size_t>(vehicle.vehicle_class)];
       if (vehicle.fixed || index) continue;
@@ -164,6 +165,7 @@ class Controller {
       if (is_new) traveller.waypoints.push_back(traveller.route[position - first]);
     }
     if (traveller.waypoints.empty()) return;  // it is where it wants to be
+    if (no_way_from_[vehicle] == plan.route[first]) return;
     travellers_.push_back(std::move(traveller));
     plans_.push_back(std::move(plan));
   }
@@ -194,6 +196,10 @@ class Controller {
 
   void apply(const Traveller& traveller, const Plan& plan, Decision& decision) {
     const RoadGraph& graph = *graphs_[traveller.vehicle_class];
+    if (decision.route.empty()) {  // it is asked again when it has come to another road
+      no_way_from_[traveller.vehicle] = plan.route[plan.committed - 1];
+      ++result_.unreachable;
+    }
     std::vector<RoadId> route(plan.route.begin(),
                               plan.route.begin() + static_cast<std::ptrdiff_t>(plan.committed - 1));
     for (const VertexId vertex : decision.route) route.push_back(graph.road(vertex));
@@ -236,6 +242,7 @@ class Controller {
   MeasuredTimes measured_;
   Fleet fleet_;  ///< kept for those who look ahead
   IdVector<SignalId, SignalProgramme> programmes_;
+  IdVector<VehicleId, RoadId> no_way_from_;  ///< the road from which the last decision found none
   std::vector<SignalId> changed_signals_;
   Millis next_sample_ = 0;
   Millis next_adaptation_ = 0;

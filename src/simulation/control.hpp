@@ -12,12 +12,12 @@
 namespace thalweg {
 
 struct ControlOptions {
-  Millis period = 60'000;          ///< each vehicle reconsiders once a period; 0: at every step
-  Millis window = 180'000;         ///< over which travel times are averaged
+  Millis period = 60'000;               ///< each vehicle reconsiders once a period; 0: at every step
+  Millis window = 180'000;              ///< over which travel times are averaged
   Millis sample_interval = 2'000;       ///< between two looks at the traffic
   Millis adaptation_interval = 10'000;  ///< between two updates of the travel times that strategies see
-  double share = 1.0;              ///< share of the vehicles that is ours
-  Millis stall = 3'600'000;        ///< without an end, stop when nothing has arrived for so long
+  double share = 1.0;                   ///< share of the vehicles that is ours
+  Millis stall = 3'600'000;             ///< without an end, stop when nothing has arrived for so long
   TurnPenalties penalties{};
   bool log_decisions = false;
 };
@@ -39,8 +39,9 @@ struct RunResult {
   Millis end = 0;
   std::uint64_t decisions = 0;
   std::uint64_t reroutes = 0;
-  std::uint64_t refused = 0;  ///< routes that SUMO did not take
-  double router_cpu_s = 0;    ///< measuring, deciding and handing over
+  std::uint64_t refused = 0;      ///< routes that SUMO did not take
+  std::uint64_t unreachable = 0;  ///< times that there was no way from the road where a vehicle was
+  double router_cpu_s = 0;        ///< measuring, deciding and handing over
   double simulation_cpu_s = 0;
   std::vector<LoggedDecision> log;
   IdVector<VehicleId, Millis> arrival;  ///< infinity: not arrived

@@ -27,9 +27,8 @@ class Recorder : public Strategy {
               std::vector<Decision>& decisions) override {
     calls.push_back({.time = simulation->now(), .due = {due.begin(), due.end()}});
     decisions.assign(due.size(), {});
-    if (answer) {
-      for (std::size_t i = 0; i < due.size(); ++i) decisions[i] = answer(traffic, due[i]);
-    }
+    for (std::size_t i = 0; i < due.size(); ++i)
+      decisions[i] = answer ? answer(traffic, due[i]) : Decision{.route = due[i].route};
   }
 
   /// When each vehicle was due.
@@ -259,7 +258,7 @@ TEST_F(Control, ACommittedRoadIsKept) {
   FakeSimulation simulation(net, fleet(net, 1, "SACDBT"), {.braking_share = 0.5});
   Recorder recorder;
   recorder.answer = [&](std::span<const ClassTraffic> traffic, const Traveller& traveller) -> Decision {
-    if (simulation.now() != 7'000) return {};
+    if (simulation.now() != 7'000) return {.route = traveller.route};
     const RoadGraph& graph = *traffic[0].graph;
     EXPECT_EQ(names(net, graph, traveller.route), "AC CD DB BT") << "from the first road with a free turn on";
     EXPECT_EQ(traveller.until_route, 3'000) << "it enters AC in 3 s";
@@ -334,6 +333,19 @@ TEST_F(Control, ALoopBackToItsOwnRoadIsNotAssigned) {
   run(simulation, net, recorder, {.period = 0});
   EXPECT_TRUE(std::none_of(simulation.assignments.begin(), simulation.assignments.end(),
                            [](const Assignment& a) { return a.route.front() == a.route.back(); }));
+}
+
+// No way from SA, nor from the next roads: asked once on each of them, and not at every step.
+TEST_F(Control, WhereThereIsNoWayItIsNotSoughtAgain) {
+  FakeSimulation simulation(net, fleet(net, 1, "SABT"));
+  Recorder recorder;
+  recorder.answer = [](std::span<const ClassTraffic>, const Traveller&) { return Decision{}; };
+  const RunResult result = run(simulation, net, recorder, {.period = 0});
+  std::set<VertexId> asked_on;
+  for (const auto& call : recorder.calls) asked_on.insert(call.due.front().route.front());
+  EXPECT_EQ(recorder.calls.size(), asked_on.size());
+  EXPECT_EQ(result.unreachable, asked_on.size());
+  EXPECT_EQ(text(simulation.driven[VehicleId{0U}]), "SA AB BT");
 }
 
 TEST_F(Control, EndsWhenItsEndIsReached) {
