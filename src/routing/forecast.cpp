@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "core/parallel.hpp"
+#include "routing/hindsight.hpp"
 #include "routing/list.hpp"
 #include "search/dijkstra.hpp"
 #include "search/timed_search.hpp"
@@ -60,11 +61,13 @@ class ForecastStrategy : public Strategy {
       model_->servers.set_programme(signal, state.programmes[signal]);
     model_->discharge.observe(state.fleet, state.now);
     model_->forecast.observe(state.fleet, state.now);
+    model_->hindsight.observe(state.fleet, state.now);
     if (state.now < next_round_) return;
     next_round_ = state.now + round_;
     model_->forecast.run(state.fleet, state.now);
     model_->residuals.refresh(model_->servers, model_->forecast, state.measured);
     round_time_ = state.now;
+    rule_.caution = model_->hindsight.disappointment();
     for (auto& seen : classes_) seen.is_fresh = false;
   }
 
@@ -80,6 +83,11 @@ class ForecastStrategy : public Strategy {
       decide_one(*traffic[due[i].vehicle_class].graph, classes_[due[i].vehicle_class], due[i],
                  scratch_[worker], decisions[i]);
     });
+    for (std::size_t i = 0; i < due.size(); ++i) {
+      const Millis cost = decisions[i].change ? decisions[i].new_cost : decisions[i].old_cost;
+      const Millis arrival = add_saturating(now_, add_saturating(due[i].until_route, cost));
+      model_->hindsight.decided(due[i].vehicle, now_, arrival, decisions[i].change);
+    }
   }
 
  private:
@@ -89,12 +97,14 @@ class ForecastStrategy : public Strategy {
           servers(state.network),
           discharge(state.network, servers, state.demand),
           forecast(state.network, servers, discharge),
-          residuals(state.network) {}
+          residuals(state.network),
+          hindsight(state.demand.vehicles.size()) {}
     const Network& network;
     Servers servers;
     Discharge discharge;
     QueueForecast forecast;
     Residuals residuals;
+    Hindsight hindsight;
   };
   struct ClassView {
     std::optional<TimedCosts> costs{};

@@ -19,7 +19,7 @@ bool ChoiceRule::prefers(const Traveller& traveller, Millis old_cost, Millis new
 }
 
 Millis ChoiceRule::threshold(const Traveller& traveller, Millis old_cost) const {
-  const double share = (traveller.departed ? relative : 0) + spread * traveller.patience;
+  const double share = caution + (traveller.departed ? relative : 0) + spread * traveller.patience;
   return static_cast<Millis>(std::floor(share * static_cast<double>(old_cost))) + absolute;
 }
 
