@@ -67,7 +67,7 @@ class ForecastStrategy : public Strategy {
     model_->forecast.run(state.fleet, state.now);
     model_->residuals.refresh(model_->servers, model_->forecast, state.measured);
     round_time_ = state.now;
-    rule_.caution = model_->hindsight.disappointment();
+    rule_.caution = model_->hindsight.caution();
     for (auto& seen : classes_) seen.is_fresh = false;
   }
 
@@ -84,9 +84,9 @@ class ForecastStrategy : public Strategy {
                  scratch_[worker], decisions[i]);
     });
     for (std::size_t i = 0; i < due.size(); ++i) {
-      const Millis cost = decisions[i].change ? decisions[i].new_cost : decisions[i].old_cost;
-      const Millis arrival = add_saturating(now_, add_saturating(due[i].until_route, cost));
-      model_->hindsight.decided(due[i].vehicle, now_, arrival, decisions[i].change);
+      const Millis start = add_saturating(now_, due[i].until_route);
+      model_->hindsight.decided(due[i].vehicle, now_, add_saturating(start, decisions[i].old_cost),
+                                add_saturating(start, decisions[i].new_cost), decisions[i].change);
     }
   }
 

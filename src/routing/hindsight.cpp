@@ -9,18 +9,22 @@ namespace thalweg {
 Hindsight::Hindsight(std::size_t vehicles, const HindsightOptions& options)
     : options_(options), promises_(vehicles) {}
 
-void Hindsight::decided(VehicleId vehicle, Millis now, Millis predicted_arrival, bool changed) {
+void Hindsight::decided(VehicleId vehicle, Millis now, Millis old_arrival, Millis new_arrival, bool changed) {
   Promise& promise = promises_[vehicle];
-  if (predicted_arrival >= infinity || (promise.made >= 0 && !changed)) return;
+  if (old_arrival >= infinity || (promise.made >= 0 && !changed)) return;
   if (promise.made < 0) open_.push_back(vehicle);
-  promise = {.made = now, .arrival = predicted_arrival, .changed = changed};
+  promise = {.made = now,
+             .old_arrival = old_arrival,
+             .new_arrival = changed ? new_arrival : old_arrival,
+             .changed = changed};
 }
 
 void Hindsight::observe(const Fleet& fleet, Millis now) {
   const double fading = std::exp(-to_seconds(now - last_) / options_.memory);
   last_ = now;
   for (Account* account : {&changed_, &kept_}) {
-    account->promised *= fading;
+    account->old_way *= fading;
+    account->new_way *= fading;
     account->taken *= fading;
     account->arrivals *= fading;
   }
@@ -28,7 +32,8 @@ void Hindsight::observe(const Fleet& fleet, Millis now) {
     if (fleet[vehicle].state != FleetVehicle::State::away) return false;
     const Promise& promise = promises_[vehicle];
     Account& account = promise.changed ? changed_ : kept_;
-    account.promised += to_seconds(promise.arrival - promise.made);
+    account.old_way += to_seconds(promise.old_arrival - promise.made);
+    account.new_way += to_seconds(promise.new_arrival - promise.made);
     account.taken += to_seconds(now - promise.made);
     account.arrivals += 1;
     promises_[vehicle] = {};
@@ -37,13 +42,24 @@ void Hindsight::observe(const Fleet& fleet, Millis now) {
 }
 
 double Hindsight::Account::ratio(double prior) const {
-  if (promised <= 0) return 1;
-  const double kept_promises = prior * promised / arrivals;
-  return (taken + kept_promises) / (promised + kept_promises);
+  if (arrivals <= 0) return 1;
+  const double as_promised = prior * new_way / arrivals;
+  return (taken + as_promised) / (new_way + as_promised);
 }
 
-double Hindsight::disappointment() const {
-  return std::max(0.0, changed_.ratio(options_.prior) - kept_.ratio(options_.prior));
+double Hindsight::realised() const {
+  if (changed_.arrivals <= 0) return 1;
+  const double promised = changed_.old_way - changed_.new_way;
+  const double gained = kept_.ratio(options_.prior) * changed_.old_way - changed_.taken;
+  const double as_promised = options_.prior * promised / changed_.arrivals;
+  return (gained + as_promised) / (promised + as_promised);
+}
+
+double Hindsight::caution() const {
+  const double share = realised();
+  if (share >= options_.enough) return 0;
+  const double disappointment = (1 - share) * (changed_.old_way - changed_.new_way) / changed_.old_way;
+  return disappointment * std::min(1.0, 1 - share / options_.enough);
 }
 
 }  // namespace thalweg

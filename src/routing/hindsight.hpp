@@ -10,36 +10,44 @@ namespace thalweg {
 struct HindsightOptions {
   double memory = 1200;  ///< s after which what was seen counts 1/e
   double prior = 30;     ///< arrivals' worth of promises kept, before anything was seen
+  double enough = 0.5;   ///< share of the promised gain that is a reason to go on as before
 };
 
 /// What became of the promises. Who changes its way for the best of several uncertain forecasts is
-/// disappointed on average (the winner's curse: Capen, Clapp, Campbell 1971): that best is the one whose error
-/// was the most favourable. Whether this is so in this city at this hour shows when vehicles arrive: those
-/// that changed against those that kept their way, each by the time that was forecast for it.
+/// disappointed on average (the winner's curse: Capen, Clapp, Campbell 1971): that best is the one whose
+/// error was the most favourable. Whether this is so in this city at this hour shows when vehicles arrive:
+/// those that changed against those that kept their way, each by the time that was forecast for it. Where
+/// changing brings next to nothing, fewer are to change, down to none.
 class Hindsight {
  public:
   explicit Hindsight(std::size_t vehicles, const HindsightOptions& options = {});
 
-  /// A vehicle has decided at `now`. What counts is its last change, else its first decision.
-  void decided(VehicleId vehicle, Millis now, Millis predicted_arrival, bool changed);
+  /// A vehicle has decided at `now`, by the arrivals forecast for its old way and for the best new one (the
+  /// old again: there is no better). What counts is its last change, else its first decision.
+  void decided(VehicleId vehicle, Millis now, Millis old_arrival, Millis new_arrival, bool changed);
   /// After every look at the traffic: who has arrived?
   void observe(const Fleet& fleet, Millis now);
 
-  /// By how much longer than forecast those took that changed, beyond those that did not: a share of the time
-  /// forecast; 0 where they were not disappointed.
-  [[nodiscard]] double disappointment() const;
+  /// Share of the promised gain that those had who changed, were their old ways as much longer than forecast
+  /// as those of the others. Below 0: they lost. 1 before anybody has arrived.
+  [[nodiscard]] double realised() const;
+  /// What a gain must exceed on top: as a share of the time left, by how much those before were disappointed;
+  /// 0 where `enough` was realised, and all of it where nothing was.
+  [[nodiscard]] double caution() const;
 
  private:
   struct Promise {
     Millis made = -1;  ///< below 0: none
-    Millis arrival = 0;
+    Millis old_arrival = 0;
+    Millis new_arrival = 0;
     bool changed = false;
   };
   struct Account {
-    double promised = 0;  ///< s
-    double taken = 0;     ///< s
+    double old_way = 0;  ///< s, forecast
+    double new_way = 0;  ///< s, forecast
+    double taken = 0;    ///< s
     double arrivals = 0;
-    [[nodiscard]] double ratio(double prior) const;
+    [[nodiscard]] double ratio(double prior) const;  ///< taken / forecast
   };
 
   HindsightOptions options_;

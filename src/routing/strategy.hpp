@@ -45,13 +45,13 @@ struct Decision {
 
 /// When a traveller gives up its way for a better one: the gain must exceed
 /// (relative + spread * patience) of the time left, and `absolute`; before departure, when turning costs
-/// nothing, `relative` is left out; `caution` comes on top for everybody. Thresholds that differ between vehicles keep everybody from turning at
-/// the same news.
+/// nothing, `relative` is left out; `caution` comes on top for everybody. Thresholds that differ between
+/// vehicles keep everybody from turning at the same news.
 struct ChoiceRule {
   double relative = 0.05;
-  double spread = 0.3;
+  double spread = 0.15;
   Millis absolute = 3'000;
-  double caution = 0;
+  double caution = 0;  ///< learned by the strategy (Hindsight)
 
   [[nodiscard]] bool prefers(const Traveller& traveller, Millis old_cost, Millis new_cost) const;
   /// What a way must gain more than, against one of a finite cost, to be preferred.
