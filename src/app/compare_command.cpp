@@ -161,7 +161,7 @@ std::string command_line(std::span<const std::string> arguments) {
 Options compare_options() {
   auto specs = project_options();
   specs.push_back(
-      {"routing", "arms", 0, "STR", "given,static,one-shot,device,hybrid,evolved",
+      {"routing", "arms", 0, "STR", "given,static,one-shot,device,hybrid,evolved,forecast",
        "What is compared: strategies and SUMO's own (device:period=120,probability=0.5 for any setting)"});
   specs.push_back({"random", "seeds", 0, "STR", "10", "How many seeds, or a list of them"});
   specs.push_back({"random", "seed", 0, "INT", "23423", "The first seed"});

@@ -95,7 +95,7 @@ Options run_options() {
   auto specs = project_options();
   std::string ours;
   for (const auto& entry : strategies()) ours += fmt::format("{}{}", ours.empty() ? "" : ", ", entry.name);
-  specs.push_back({"routing", "strategy", 0, "STR", "evolved",
+  specs.push_back({"routing", "strategy", 0, "STR", "forecast",
                    ours + "; or SUMO's own: given, static, one-shot, device[:setting=value,..]"});
   specs.push_back({"random", "seed", 0, "INT", "23423", "SUMO's seed"});
   specs.push_back(

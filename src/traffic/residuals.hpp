@@ -9,7 +9,7 @@
 namespace thalweg {
 
 struct ResidualOptions {
-  double prior = 2;               ///< traversals that the model is worth against the measurement
+  double prior = 8;               ///< traversals that the model is worth against the measurement
   double longest_road = 1800;     ///< s; what is measured above it counts as this
   double longest_junction = 600;  ///< s
   double least_traversals = 0.5;

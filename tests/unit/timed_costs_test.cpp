@@ -74,7 +74,7 @@ TEST_F(TimedCostsTest, WhatWasMeasuredMovesThemAndFades) {
   Residuals residuals(net);
   forecast.run(driven.fleet, 0);
   residuals.refresh(servers, forecast, measured);
-  EXPECT_NEAR(residuals[road(net, "AB")], 70, 4) << "two traversals' worth is left to the model";
+  EXPECT_NEAR(residuals[road(net, "AB")], 70, 9) << "eight traversals' worth is left to the model";
   TimedCosts costs(net, graph);
   costs.refresh(forecast, residuals, 0);
   const double now = to_seconds(costs.arrive(turn("AB"), 0)) - 30;
