@@ -86,9 +86,11 @@ Net glued(const Net& net, std::size_t columns, std::size_t rows) {
       const auto [tail, head] = net.graph.ends(ArcId{i});
       add(copy * size + tail.value, copy * size + head.value, net.costs[i]);
     }
+    const std::size_t column = copy % columns;
+    const std::size_t row = copy / columns;
     for (std::size_t v = 0; v < size; ++v) {
-      whole.x.push_back(net.x[v] + static_cast<double>(copy % columns) * width);
-      whole.y.push_back(net.y[v] + static_cast<double>(copy / columns) * height);
+      whole.x.push_back(net.x[v] + static_cast<double>(column) * width);
+      whole.y.push_back(net.y[v] + static_cast<double>(row) * height);
     }
     if (copy % columns + 1 < columns) join(east, copy, west, copy + 1);
     if (copy / columns + 1 < rows) join(north, copy, south, copy + columns);

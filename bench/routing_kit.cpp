@@ -16,6 +16,7 @@ std::vector<unsigned> numbers(const EliminationOrder& order) {
 
 std::vector<unsigned> ends(const Digraph& graph, VertexId ArcEnds::*end) {
   std::vector<unsigned> out;
+  out.reserve(graph.arc_count());
   for (std::size_t arc = 0; arc < graph.arc_count(); ++arc)
     out.push_back((graph.ends(ArcId{arc}).*end).value);
   return out;
@@ -23,6 +24,7 @@ std::vector<unsigned> ends(const Digraph& graph, VertexId ArcEnds::*end) {
 
 std::vector<unsigned> narrowed(const std::vector<Millis>& costs) {
   std::vector<unsigned> out;
+  out.reserve(costs.size());
   for (const Millis cost : costs)
     out.push_back(static_cast<unsigned>(std::min<Millis>(cost, ::RoutingKit::inf_weight)));
   return out;
