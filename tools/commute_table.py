@@ -3,6 +3,9 @@
 import csv
 import datetime
 import math
+import statistics
+
+from calls import Mistake
 
 KEY = ["scenario", "hash", "arm", "options", "seed", "sumo", "router"]
 COLUMNS = KEY + ["vehicles", "finished", "running", "waiting", "mean_commute_s", "duration_s", "depart_delay_s",
@@ -13,10 +16,6 @@ BASELINES = ["given", "static", "one-shot", "device", TUNED]
 BEGIN, END = "<!-- tools/commute --report: begin -->", "<!-- tools/commute --report: end -->"
 STUDENT = [12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160, 2.145, 2.131,
            2.120, 2.110, 2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064, 2.060, 2.056, 2.052, 2.048, 2.045, 2.042]
-
-
-class Mistake(Exception):
-    """What the user must be told."""
 
 
 # ------------------------------------------------------------------------------------------------ arms and seeds
@@ -117,7 +116,7 @@ def tuned(lines):
     for arm in tuning_arms():
         of_seed = commutes(line for line in lines if line["arm"] == arm)
         if set(TUNING_SEEDS) <= of_seed.keys():
-            means[arm] = sum(of_seed[seed] for seed in TUNING_SEEDS) / len(TUNING_SEEDS)
+            means[arm] = statistics.fmean(of_seed[seed] for seed in TUNING_SEEDS)
         else:
             missing.append(arm)
     if missing:
@@ -140,24 +139,18 @@ def current(lines, options=""):
 
 # -------------------------------------------------------------------------------------------------------- report
 
-def mean(values):
-    values = list(values)
-    return sum(values) / len(values)
-
-
 def half_width(values):
     """Of the 95 % interval of the mean (Student); None of one value."""
     values, count = list(values), len(values)
     if count < 2:
         return None
-    deviation = math.sqrt(sum((value - mean(values)) ** 2 for value in values) / (count - 1))
-    return (STUDENT[count - 2] if count - 2 < len(STUDENT) else 1.96) * deviation / math.sqrt(count)
+    return (STUDENT[count - 2] if count - 2 < len(STUDENT) else 1.96) * statistics.stdev(values) / math.sqrt(count)
 
 
 def ratio(arm, other):
     """Mean commute of an arm over that of another, both over the seeds that both were run with; None without."""
     common = arm.keys() & other.keys()
-    return mean(arm[s] for s in common) / mean(other[s] for s in common) if common else None
+    return statistics.fmean(arm[s] for s in common) / statistics.fmean(other[s] for s in common) if common else None
 
 
 class Judged:
@@ -179,7 +172,7 @@ class Judged:
         self.shown = [arm for arm in BASELINES if arm in self.arms] + own
         self.own = own
         self.best = min((arm for arm in BASELINES if arm in self.arms), default=None,
-                        key=lambda arm: mean(self.commute[arm].values()))
+                        key=lambda arm: statistics.fmean(self.commute[arm].values()))
 
     def over(self, arm, baseline):
         return ratio(self.commute[arm], self.commute[baseline]) if baseline in self.commute else None
@@ -193,7 +186,7 @@ class Judged:
         width, against = half_width(values), [self.over(arm, baseline) for baseline in (self.best, TUNED)]
         share = f"{100 * total('router_cpu_s') / max(total('router_cpu_s', 'simulation_cpu_s'), 1e-9):.0f} %"
         name = f"`{arm}`" + (f" ({self.setting})" if arm == TUNED else "") + (" *" if arm == self.best else "")
-        cells = [self.name, name, ranges(self.commute[arm]), f"{mean(values):.1f}",
+        cells = [self.name, name, ranges(self.commute[arm]), f"{statistics.fmean(values):.1f}",
                  "-" if width is None else f"±{width:.1f}", *("-" if r is None else f"{r:.3f}" for r in against),
                  f"{total('teleports') / len(lines):.1f}", f"{total('running', 'waiting') / len(lines):.1f}",
                  share if arm in self.own else "-"]
@@ -219,7 +212,7 @@ def verdict(arm, judged):
     if ratios:
         parts.append(f"better than `{TUNED}` in {sum(r < 1 for r in ratios)} of {len(ratios)} "
                      f"({100 * sum(r < 1 for r in ratios) / len(ratios):.0f} %)")
-        parts.append(f"geometric mean of the ratio {math.exp(mean(map(math.log, ratios))):.3f}")
+        parts.append(f"geometric mean of the ratio {statistics.geometric_mean(ratios):.3f}")
     against_best = [(r, s) for s, r in ((s, s.over(arm, s.best)) for s, _ in compared) if r is not None]
     if against_best:
         worst, where = max(against_best, key=lambda pair: pair[0])
