@@ -117,11 +117,11 @@ void single_query(State& state, Maker make, bool with_way) {
   report(state, on.topology);
 }
 
-Millis dijkstra_cost(const Net& net, const std::vector<Millis>& costs, const Leg& leg, Tree& tree,
+Millis dijkstra_cost(const Net& net, const std::vector<Millis>& costs, VertexId from, VertexId to, Tree& tree,
                      DijkstraScratch& scratch) {
-  dijkstra<Direction::backward>(net.graph, {&leg.destination, 1}, [&](ArcId arc) { return costs[arc.value]; },
-                                tree, scratch, {&leg.origin, 1});
-  return tree.label[leg.origin];
+  dijkstra<Direction::backward>(net.graph, {&to, 1}, [&](ArcId arc) { return costs[arc.value]; }, tree,
+                                scratch, {&from, 1});
+  return tree.label[from];
 }
 
 /// Ends the program unless `cost(from, to)` of the first travellers is that of Dijkstra's algorithm.
@@ -130,12 +130,9 @@ void expect_exact(const Net& net, std::span<const Traveller> due, const Cost& co
   Tree tree;
   DijkstraScratch scratch;
   for (const Traveller& traveller : due.first(20)) {
-    const Leg leg{.vehicle_class = 0,
-                  .destination = traveller.waypoints.front(),
-                  .origin = traveller.route.front(),
-                  .traveller = 0,
-                  .number = 0};
-    if (cost(leg.origin, leg.destination) == dijkstra_cost(net, net.costs, leg, tree, scratch)) continue;
+    const VertexId from = traveller.route.front();
+    const VertexId to = traveller.waypoints.front();
+    if (cost(from, to) == dijkstra_cost(net, net.costs, from, to, tree, scratch)) continue;
     std::cerr << "a peer's cost differs from that of Dijkstra's algorithm\n";
     std::exit(1);
   }
@@ -164,7 +161,7 @@ void round_of(State& state, Maker make, std::size_t vehicles, std::size_t per_en
   DijkstraScratch scratch;
   for (std::size_t g = 0; g < legs.group_count(); g += 97) {
     const Leg& leg = legs.group(g).front();
-    if (dijkstra_cost(on.net, costs, leg, tree, scratch) != leg.cost) {
+    if (dijkstra_cost(on.net, costs, leg.origin, leg.destination, tree, scratch) != leg.cost) {
       state.SkipWithError("a cost differs from that of Dijkstra's algorithm");
       std::exit(1);
     }
@@ -180,12 +177,8 @@ void dijkstra_query(State& state, Maker make) {
   std::size_t i = 0;
   for (auto _ : state) {
     const Traveller& traveller = due[i++ % due.size()];
-    Leg leg{.vehicle_class = 0,
-            .destination = traveller.waypoints.front(),
-            .origin = traveller.route.front(),
-            .traveller = 0,
-            .number = 0};
-    ::benchmark::DoNotOptimize(dijkstra_cost(on.net, on.net.costs, leg, tree, scratch));
+    ::benchmark::DoNotOptimize(dijkstra_cost(on.net, on.net.costs, traveller.route.front(),
+                                             traveller.waypoints.front(), tree, scratch));
   }
   report(state, on.topology);
 }
