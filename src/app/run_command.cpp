@@ -10,6 +10,7 @@
 #include "app/start.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
+#include "network/lane_changes.hpp"
 #include "report/comparison.hpp"
 #include "report/decisions.hpp"
 #include "report/table.hpp"
@@ -54,6 +55,8 @@ void tell_end(const RunResult& result, Millis stall) {
 RunResult simulate(const Options& options, const Project& project, const ArmSpec& arm,
                    const RunFolder& folder, RunSummary& summary) {
   ControlOptions control_with = control_options(options);
+  control_with.lane_changes =
+      read_lane_changes(file_list(project.settings.find("additional-files").value_or("")), project.network);
   const std::string& decision_output = options.text("decision-output");
   std::optional<DecisionOutput> decisions;  // opened before the work, so that a bad name costs no run
   if (!decision_output.empty()) {

@@ -59,10 +59,13 @@ class ForecastStrategy : public Strategy {
     if (!model_) model_.emplace(state);
     for (const SignalId signal : state.changed_signals)
       model_->servers.set_programme(signal, state.programmes[signal]);
+    for (const RoadId road : state.conditions.roads())
+      model_->servers.set_free_flow(road, state.conditions.crossing(road));
     model_->discharge.observe(state.fleet, state.now);
     model_->forecast.observe(state.fleet, state.now);
     model_->hindsight.observe(state.fleet, state.now);
-    if (state.now < next_round_) return;
+    if (state.now < next_round_ && state.conditions.version() == conditions_version_) return;
+    conditions_version_ = state.conditions.version();
     next_round_ = state.now + round_;
     model_->forecast.run(state.fleet, state.now);
     model_->residuals.refresh(model_->servers, model_->forecast, state.measured);
@@ -84,9 +87,8 @@ class ForecastStrategy : public Strategy {
                  scratch_[worker], decisions[i]);
     });
     for (std::size_t i = 0; i < due.size(); ++i) {
-      const Millis start = add_saturating(now_, due[i].until_route);
-      model_->hindsight.decided(due[i].vehicle, now_, add_saturating(start, decisions[i].old_cost),
-                                add_saturating(start, decisions[i].new_cost), decisions[i].change);
+      model_->hindsight.decided(due[i].vehicle, now_, due[i].arrival(now_, decisions[i].old_cost),
+                                due[i].arrival(now_, decisions[i].new_cost), decisions[i].change);
     }
   }
 
@@ -94,12 +96,14 @@ class ForecastStrategy : public Strategy {
   struct Model {
     explicit Model(const TrafficState& state)
         : network(state.network),
+          conditions(state.conditions),
           servers(state.network),
           discharge(state.network, servers, state.demand),
           forecast(state.network, servers, discharge),
           residuals(state.network),
           hindsight(state.demand.vehicles.size()) {}
     const Network& network;
+    const Conditions& conditions;
     Servers servers;
     Discharge discharge;
     QueueForecast forecast;
@@ -118,7 +122,8 @@ class ForecastStrategy : public Strategy {
       view.costs.emplace(model_->network, *traffic.graph);
       view.potentials = std::make_unique<Potentials>(std::size_t{256} << 20);
     }
-    if (!view.is_fresh) view.costs->refresh(model_->forecast, model_->residuals, round_time_);
+    if (!view.is_fresh)
+      view.costs->refresh(model_->forecast, model_->residuals, model_->conditions, round_time_);
     view.is_fresh = true;
     for (const VertexId waypoint : traveller.waypoints)
       static_cast<void>(view.potentials->to(traffic.graph->turns(), view.costs->free_flow(), waypoint));
@@ -134,8 +139,11 @@ class ForecastStrategy : public Strategy {
       }
       time = next;
     }
-    return time;
+    return never(time) ? infinity : time;
   }
+
+  /// The way leads through a closed road.
+  [[nodiscard]] bool never(Millis arrival) const { return arrival - now_ >= TimedCosts::closed / 2; }
 
   void decide_one(const RoadGraph& graph, ClassView& view, const Traveller& traveller, TimedScratch& scratch,
                   Decision& decision) const {
@@ -160,8 +168,9 @@ class ForecastStrategy : public Strategy {
       const auto found = timed_search(
           turns, at, time, waypoint, bound, [&](ArcId arc, Millis t) { return costs.arrive(arc, t); },
           [&](VertexId v) { return left[v.value]; }, scratch);
-      if (!found) {
-        decision.route = traveller.route;
+      if (!found || never(found->arrival)) {
+        decision.route.clear();  // none at all, or none that the rule would take
+        if (old_arrival < infinity) decision.route = traveller.route;
         return;
       }
       for (const ArcId arc : found->arcs) decision.route.push_back(turns.ends(arc).head);
@@ -176,6 +185,7 @@ class ForecastStrategy : public Strategy {
   ChoiceRule rule_;
   Millis round_ = 15'000;
   Millis next_round_ = 0;
+  std::uint32_t conditions_version_ = 0;
   Millis round_time_ = 0;
   Millis now_ = 0;
   std::optional<Model> model_;

@@ -11,6 +11,7 @@
 #include "core/time.hpp"
 #include "demand/demand.hpp"
 #include "graph/road_graph.hpp"
+#include "traffic/conditions.hpp"
 #include "traffic/fleet.hpp"
 
 namespace thalweg {
@@ -33,6 +34,11 @@ struct Traveller {
   double driven = 0;                ///< share of route.front() that lies behind it
   double patience = 0;              ///< in [0, 1), fixed for each vehicle by a hash of its name
   bool departed = true;
+
+  /// When it arrives that decides at `now` for a way of this cost.
+  [[nodiscard]] Millis arrival(Millis now, Millis cost) const {
+    return add_saturating(now, add_saturating(until_route, cost));
+  }
 };
 
 /// What was decided for a traveller. Costs run from entering route.front() to the end of the last road.
@@ -65,6 +71,7 @@ struct TrafficState {
   const Demand& demand;
   const Fleet& fleet;
   const MeasuredTimes& measured;
+  const Conditions& conditions;
   const IdVector<SignalId, SignalProgramme>& programmes;
   std::span<const SignalId> changed_signals;  ///< those whose programme is new
 };

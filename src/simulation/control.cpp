@@ -9,6 +9,7 @@
 
 #include "core/hash.hpp"
 #include "simulation/agenda.hpp"
+#include "traffic/conditions.hpp"
 
 namespace thalweg {
 namespace {
@@ -57,11 +58,13 @@ class Controller {
         options_(options),
         result_(result),
         agenda_(demand, options.period, options.share, strategy.looks_ahead()),
-        sample_interval_(std::max(options.sample_interval, simulation.step_length())),
+        sample_interval_(std::max(strategy.looks_ahead() ? options.watch_interval : options.sample_interval,
+                                  simulation.step_length())),
         measured_(network, options.window, sample_interval_),
+        conditions_(network, options.lane_changes),
         fleet_(demand),
         programmes_(network.signals.size()),
-        no_way_from_(demand.vehicles.size()) {
+        last_questions_(demand.vehicles.size()) {
     for (const DemandVehicle& vehicle : demand.vehicles) {
       auto& index = class_index_[static_cast<std::size_t>(vehicle.vehicle_class)];
       if (vehicle.fixed || index) continue;
@@ -92,14 +95,22 @@ class Controller {
       agenda_.on_arrived(vehicle);
       fleet_.on_arrived(vehicle);
     }
+    if (conditions_.advance(simulation_.now())) {  // another world: everybody is asked again, now
+      next_adaptation_ = simulation_.now();
+      std::fill(last_questions_.begin(), last_questions_.end(), Question{});
+    }
     if (simulation_.now() >= next_sample_) {
       const auto observations = simulation_.observe(strategy_.looks_ahead());
       measured_.sample(observations);
-      if (strategy_.looks_ahead()) watch(observations);
+      if (strategy_.looks_ahead()) {
+        watch(observations);
+        ++news_;
+      }
       next_sample_ += sample_interval_;  // not from now on: steps of 0.3 s would make 1.2 s of 1 s
     }
     if (simulation_.now() >= next_adaptation_) {
       fresh_.assign(traffic_.size(), false);
+      ++news_;
       next_adaptation_ = simulation_.now() + options_.adaptation_interval;
     }
     agenda_.take_due(simulation_.now(), due_);
@@ -107,6 +118,13 @@ class Controller {
   }
 
  private:
+  /// What a vehicle was asked last.
+  struct Question {
+    RoadId from{};            ///< the first road that could change
+    std::uint32_t news = 0;   ///< news_ at that time
+    bool had_answer = false;  ///< there was a way
+  };
+
   void watch(std::span<const Observation> observations) {
     fleet_.on_observed(network_, observations);
     changed_signals_.clear();
@@ -122,6 +140,7 @@ class Controller {
                      .demand = demand_,
                      .fleet = fleet_,
                      .measured = measured_,
+                     .conditions = conditions_,
                      .programmes = programmes_,
                      .changed_signals = changed_signals_});
   }
@@ -165,7 +184,9 @@ class Controller {
       if (is_new) traveller.waypoints.push_back(traveller.route[position - first]);
     }
     if (traveller.waypoints.empty()) return;  // it is where it wants to be
-    if (no_way_from_[vehicle] == plan.route[first]) return;
+    // The same question has the same answer; where there was no way, new costs do not bring one.
+    const Question& last = last_questions_[vehicle];
+    if (last.from == plan.route[first] && (last.news == news_ || !last.had_answer)) return;
     travellers_.push_back(std::move(traveller));
     plans_.push_back(std::move(plan));
   }
@@ -177,8 +198,21 @@ class Controller {
       fresh_[traveller.vehicle_class] = true;
       ClassTraffic& traffic = traffic_[traveller.vehicle_class];
       measured_.live(traffic.free_flow, traffic.road_times);
+      for (const RoadId road : conditions_.roads()) {
+        Millis& time = traffic.road_times[road];
+        time = std::max(time, from_seconds(conditions_.crossing(road)));
+      }
       turn_costs(*traffic.graph, traffic.road_times, traffic.turn_costs);
+      for (const RoadId road : conditions_.roads()) close(road, traffic);
     }
+  }
+
+  /// Nobody turns into a road that is closed; who is on it may leave.
+  void close(RoadId road, ClassTraffic& traffic) const {
+    const RoadGraph& graph = *traffic.graph;
+    const VertexId vertex = graph.vertex(road);
+    if (!vertex.valid() || !conditions_.closed(road, graph.vehicle_class())) return;
+    for (const Arc& turn : graph.turns().in(vertex)) traffic.turn_costs[turn.id.value] = infinity;
   }
 
   [[nodiscard]] Millis until_route(std::size_t i) const {
@@ -196,10 +230,10 @@ class Controller {
 
   void apply(const Traveller& traveller, const Plan& plan, Decision& decision) {
     const RoadGraph& graph = *graphs_[traveller.vehicle_class];
-    if (decision.route.empty()) {  // it is asked again when it has come to another road
-      no_way_from_[traveller.vehicle] = plan.route[plan.committed - 1];
-      ++result_.unreachable;
-    }
+    const bool has_way = !decision.route.empty();
+    last_questions_[traveller.vehicle] = {
+        .from = plan.route[plan.committed - 1], .news = news_, .had_answer = has_way};
+    if (!has_way) ++result_.unreachable;
     std::vector<RoadId> route(plan.route.begin(),
                               plan.route.begin() + static_cast<std::ptrdiff_t>(plan.committed - 1));
     for (const VertexId vertex : decision.route) route.push_back(graph.road(vertex));
@@ -216,14 +250,13 @@ class Controller {
   void log(const Traveller& traveller, const Decision& decision) {
     const RoadGraph& graph = *graphs_[traveller.vehicle_class];
     const Millis cost = decision.change ? decision.new_cost : decision.old_cost;
-    LoggedDecision entry{
-        .time = simulation_.now(),
-        .vehicle = traveller.vehicle,
-        .old_route = {},
-        .new_route = {},
-        .old_cost = decision.old_cost,
-        .new_cost = decision.new_cost,
-        .predicted_arrival = add_saturating(simulation_.now(), add_saturating(traveller.until_route, cost))};
+    LoggedDecision entry{.time = simulation_.now(),
+                         .vehicle = traveller.vehicle,
+                         .old_route = {},
+                         .new_route = {},
+                         .old_cost = decision.old_cost,
+                         .new_cost = decision.new_cost,
+                         .predicted_arrival = traveller.arrival(simulation_.now(), cost)};
     for (const VertexId vertex : traveller.route) entry.old_route.push_back(graph.road(vertex));
     if (decision.change) {
       for (const VertexId vertex : decision.route) entry.new_route.push_back(graph.road(vertex));
@@ -240,12 +273,14 @@ class Controller {
   Agenda agenda_;
   Millis sample_interval_;
   MeasuredTimes measured_;
+  Conditions conditions_;
   Fleet fleet_;  ///< kept for those who look ahead
   IdVector<SignalId, SignalProgramme> programmes_;
-  IdVector<VehicleId, RoadId> no_way_from_;  ///< the road from which the last decision found none
+  IdVector<VehicleId, Question> last_questions_;
   std::vector<SignalId> changed_signals_;
   Millis next_sample_ = 0;
   Millis next_adaptation_ = 0;
+  std::uint32_t news_ = 0;  ///< how often there was something new to decide by
   std::array<std::optional<std::size_t>, 64> class_index_;
   std::vector<std::unique_ptr<RoadGraph>> graphs_;
   std::vector<ClassTraffic> traffic_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "demand/demand.hpp"
+#include "network/lane_changes.hpp"
 #include "routing/strategy.hpp"
 #include "simulation/simulation.hpp"
 
@@ -14,11 +15,13 @@ namespace thalweg {
 struct ControlOptions {
   Millis period = 60'000;               ///< each vehicle reconsiders once a period; 0: at every step
   Millis window = 180'000;              ///< over which travel times are averaged
-  Millis sample_interval = 2'000;       ///< between two looks at the traffic
+  Millis sample_interval = 5'000;       ///< between two looks at the traffic
+  Millis watch_interval = 3'000;        ///< the same for a strategy that looks ahead
   Millis adaptation_interval = 10'000;  ///< between two updates of the travel times that strategies see
   double share = 1.0;                   ///< share of the vehicles that is ours
   Millis stall = 3'600'000;             ///< without an end, stop when nothing has arrived for so long
   TurnPenalties penalties{};
+  std::vector<LaneChange> lane_changes{};  ///< closed roads and slow ones, noticed when they begin
   bool log_decisions = false;
 };
 

@@ -24,7 +24,8 @@ std::vector<std::string> loaded_at_start() {
 
 class SumoSession : public Simulation {
  public:
-  explicit SumoSession(const SessionSetup& setup) : network_(*setup.network), demand_(*setup.demand) {
+  explicit SumoSession(const SessionSetup& setup)
+      : network_(*setup.network), demand_(*setup.demand), routes_(setup.demand->vehicles.size()) {
     for (std::size_t i = 0; i < demand_.vehicles.size(); ++i) {
       ids_.emplace(demand_.vehicles[VehicleId{i}].id, VehicleId{i});
     }
@@ -69,6 +70,7 @@ class SumoSession : public Simulation {
       const auto arrived = libsumo::Simulation::getArrivedIDList();
       for (const auto& name : arrived) forget(name);
       resolve(arrived, events_.arrived);
+      for (const VehicleId vehicle : events_.arrived) routes_[vehicle] = {};
     });
   }
 
@@ -112,7 +114,7 @@ class SumoSession : public Simulation {
     Plan plan;
     plan.can_change = false;
     try {
-      fill(demand_.vehicles[vehicle].id, plan);
+      fill(vehicle, plan);
     } catch (const libsumo::TraCIException&) {
       plan.can_change = false;  // discarded in the meantime
     }
@@ -142,6 +144,11 @@ class SumoSession : public Simulation {
     std::string name;
     VehicleId id;   ///< invalid: not of the demand
     RoadId road{};  ///< where it was seen last
+  };
+
+  struct KnownRoute {
+    std::string id;
+    std::vector<RoadId> roads;
   };
 
   /// SUMO's failures come out in its own words.
@@ -212,16 +219,32 @@ class SumoSession : public Simulation {
     return true;
   }
 
-  void fill(const std::string& name, Plan& plan) const {
-    const auto edges = libsumo::Vehicle::getRoute(name);
+  /// All roads of its route; empty when one of them is not in the network. SUMO gives each route of a
+  /// vehicle an id of its own, so that the roads are asked for once.
+  const std::vector<RoadId>& route_of(VehicleId vehicle, const std::string& name) {
+    KnownRoute& known = routes_[vehicle];
+    std::string id = libsumo::Vehicle::getRouteID(name);
+    if (id == known.id) return known.roads;
+    known.id = std::move(id);
+    known.roads.clear();
+    for (const auto& edge : libsumo::Vehicle::getRoute(name)) {
+      const auto road = network_.find_road(edge);
+      if (!road) {
+        known.roads.clear();
+        break;
+      }
+      known.roads.push_back(*road);
+    }
+    return known.roads;
+  }
+
+  void fill(VehicleId vehicle, Plan& plan) {
+    const std::string& name = demand_.vehicles[vehicle].id;
+    const std::vector<RoadId>& roads = route_of(vehicle, name);
     const bool departed = places_.contains(name);
     const int index = departed ? libsumo::Vehicle::getRouteIndex(name) : 0;
-    if (index < 0 || static_cast<std::size_t>(index) >= edges.size()) return;
-    for (std::size_t i = static_cast<std::size_t>(index); i < edges.size(); ++i) {
-      const auto road = network_.find_road(edges[i]);
-      if (!road) return;
-      plan.route.push_back(*road);
-    }
+    if (index < 0 || static_cast<std::size_t>(index) >= roads.size()) return;
+    plan.route.assign(roads.begin() + index, roads.end());
     if (departed && !locate(name, plan)) return;
     for (const auto& stop : libsumo::Vehicle::getStops(name)) {
       const auto road = network_.find_road(std::string_view(stop.lane).substr(0, stop.lane.rfind('_')));
@@ -241,7 +264,7 @@ class SumoSession : public Simulation {
       return true;
     }
     const RoadId current = plan.route.front();
-    if (network_.find_road(road) != current) return false;
+    if (network_.roads[current].id != road) return false;
     const double length = network_.lanes[network_.roads[current].first_lane].length;
     const double position = libsumo::Vehicle::getLanePosition(name);
     const double speed = libsumo::Vehicle::getSpeed(name);
@@ -256,6 +279,7 @@ class SumoSession : public Simulation {
   std::unordered_map<std::string, VehicleId> ids_;
   std::vector<Running> running_;
   std::unordered_map<std::string, std::size_t> places_;  ///< in running_
+  IdVector<VehicleId, KnownRoute> routes_;  ///< of those that were asked for and are on their way
   std::vector<Observation> observations_;
   StepEvents events_;
   Millis now_ = 0;

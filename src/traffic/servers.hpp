@@ -35,6 +35,8 @@ class Servers {
 
   /// Takes the times of this signal from the programme that runs there now.
   void set_programme(SignalId signal, const SignalProgramme& programme);
+  /// Its limit is another now; in s.
+  void set_free_flow(RoadId road, double seconds) { free_flow_[road] = seconds; }
 
   [[nodiscard]] std::size_t size() const { return movements_.size(); }
   [[nodiscard]] const Movement& operator[](MovementId movement) const { return movements_[movement]; }

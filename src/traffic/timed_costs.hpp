@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "graph/road_graph.hpp"
+#include "traffic/conditions.hpp"
 #include "traffic/queue_forecast.hpp"
 #include "traffic/residuals.hpp"
 
@@ -16,8 +17,12 @@ class TimedCosts {
  public:
   TimedCosts(const Network& network, const RoadGraph& graph);
 
+  /// What it costs to turn into a road that is closed.
+  static constexpr Millis closed = 100'000'000;
+
   /// From a forecast made at `now`.
-  void refresh(const QueueForecast& forecast, const Residuals& residuals, Millis now);
+  void refresh(const QueueForecast& forecast, const Residuals& residuals, const Conditions& conditions,
+               Millis now);
 
   [[nodiscard]] Millis arrive(ArcId turn, Millis entry) const {
     const Millis since = std::clamp<Millis>(entry - now_, 0, horizon_);

@@ -129,12 +129,12 @@ class SmallGrid(support.RunCase):
         self.assertGreater(changed, 5)
 
     def test_period_step(self):
-        """Everybody decides at every step, but for those about to arrive."""
+        """Everybody decides as soon as there is another road or other costs: at every look of the forecast."""
         run = self.drive(random_trips(self.net, 60, 60), "--period", "step")
         of_one = [float(d.get("time")) for d in run.decisions() if d.get("vehicle") == "t0"]
         duration = float(run.trips["t0"].get("duration"))
-        self.assertGreater(len(of_one), duration / 2)
-        self.assertEqual({round(b - a, 3) for a, b in zip(of_one, of_one[1:])}, {1.0})
+        self.assertGreater(len(of_one), duration / 4)
+        self.assertLessEqual(statistics.median(b - a for a, b in zip(of_one, of_one[1:])), 3)
 
     @on_each(("0.1", "0.5"))
     def test_step_length(self, length):
@@ -142,7 +142,7 @@ class SmallGrid(support.RunCase):
         self.assertEqual(run.summary["finished"], 60)
         times = sorted({round(float(d.get("time")) / float(length), 6) for d in run.decisions()})
         self.assertEqual([time for time in times if time != int(time)], [])
-        self.assertEqual(times[:5], [0, 1, 2, 3, 4])
+        self.assertTrue(any(time % 2 for time in times), "somebody decided after an odd number of steps")
         self.assertGreater(run.summary["reroutes"], 0)
 
     def test_meso(self):

@@ -65,6 +65,8 @@ std::vector<FakeVehicle> fleet(const Network& network, std::size_t size, std::st
   return vehicles;
 }
 
+const ControlOptions each_step{.period = 0, .adaptation_interval = 0};
+
 //     S-A-B-T      AB is jammed: the way round by C and D is better
 //       | |
 //       C-D
@@ -131,7 +133,7 @@ TEST_F(Control, WhoCannotBeInsertedReconsidersEachPeriod) {
   FakeSimulation simulation(net, {{.id = "waits", .depart = 10'000, .route = way(net, "SABT")}},
                             {.insertion_delay = 100'000});
   Recorder recorder;
-  run(simulation, net, recorder, {.period = 20'000});
+  run(simulation, net, recorder, {.period = 20'000, .adaptation_interval = 0});
   std::vector<Millis> waiting;
   for (const auto& call : recorder.calls) {
     if (!call.due[0].departed) waiting.push_back(call.time);
@@ -165,7 +167,7 @@ TEST_F(Control, APeriodOfZeroIsEachStep) {
   for (const Millis step : {500, 1'000}) {
     FakeSimulation simulation(net, fleet(net, 1, "SABT"), {.step_length = step});
     Recorder recorder;
-    run(simulation, net, recorder, {.period = 0});
+    run(simulation, net, recorder, each_step);
     const auto turns = recorder.turns()[VehicleId{0U}];
     // From 0 s on; on its last road, from 20 s on, there is nothing to choose.
     ASSERT_EQ(turns.size(), static_cast<std::size_t>(20'000 / step));
@@ -173,10 +175,18 @@ TEST_F(Control, APeriodOfZeroIsEachStep) {
   }
 }
 
+TEST_F(Control, TheSameQuestionIsAskedOnce) {
+  FakeSimulation simulation(net, fleet(net, 1, "SABT"));
+  Recorder recorder;
+  run(simulation, net, recorder, {.period = 0, .adaptation_interval = 5'000});
+  // Before insertion and on SA, then from 10 s on AB: whenever there are new costs, or another road.
+  EXPECT_EQ(recorder.turns()[VehicleId{0U}], (std::vector<Millis>{0, 5'000, 10'000, 15'000}));
+}
+
 TEST_F(Control, TheBatchIsInTheOrderOfTheVehicles) {
   FakeSimulation simulation(net, fleet(net, 30, "SABT"));
   Recorder recorder;
-  run(simulation, net, recorder, {.period = 0});
+  run(simulation, net, recorder, each_step);
   std::size_t together = 0;
   for (const auto& call : recorder.calls) {
     together = std::max(together, call.due.size());
@@ -226,7 +236,7 @@ TEST_F(Control, EachClassHasItsOwnGraph) {
 
 TEST_F(Control, AssignsOnChangeOnly) {
   FakeSimulation simulation(net, fleet(net, 5, "SABT"));
-  const RunResult result = run(simulation, net, evolved.get(), {.period = 0});
+  const RunResult result = run(simulation, net, evolved.get(), each_step);
   EXPECT_GT(result.decisions, 50U);
   EXPECT_TRUE(simulation.assignments.empty()) << "they are on the best way already";
   EXPECT_EQ(result.reroutes, 0U);
@@ -248,7 +258,7 @@ TEST_F(Control, WhoIsAwayIsNotAsked) {
   FakeSimulation simulation(net, fleet(net, 2, "SACDBT"));
   simulation.away = {VehicleId{0U}};
   Recorder recorder;
-  run(simulation, net, recorder, {.period = 0});
+  run(simulation, net, recorder, each_step);
   EXPECT_EQ(recorder.turns().count(VehicleId{0U}), 0U);
   EXPECT_EQ(recorder.turns().count(VehicleId{1U}), 1U);
 }
@@ -264,7 +274,7 @@ TEST_F(Control, ACommittedRoadIsKept) {
     EXPECT_EQ(traveller.until_route, 3'000) << "it enters AC in 3 s";
     return {.change = true, .route = vertex_way(net, graph, "ACABT"), .old_cost = 40'000, .new_cost = 39'000};
   };
-  run(simulation, net, recorder, {.period = 0});
+  run(simulation, net, recorder, each_step);
   ASSERT_EQ(simulation.assignments.size(), 1U);
   EXPECT_EQ(text(simulation.assignments[0].route), "SA AC CA AB BT");
 }
@@ -272,7 +282,7 @@ TEST_F(Control, ACommittedRoadIsKept) {
 TEST_F(Control, TimeAlreadySpentOnTheRoadIsLeftOut) {
   FakeSimulation simulation(net, fleet(net, 1, "SABT"));
   Recorder recorder;
-  run(simulation, net, recorder, {.period = 0});
+  run(simulation, net, recorder, each_step);
   for (const auto& call : recorder.calls) {
     if (call.time < 1'000 || call.time > 9'000) continue;
     EXPECT_EQ(call.due[0].until_route, -call.time) << "it entered SA at 0 s";
@@ -283,7 +293,7 @@ TEST_F(Control, StopsAndViaAreWayPointsInTheOrderOfTheRoute) {
   FakeSimulation simulation(
       net, {{.id = "v", .route = way(net, "SACDBT"), .stops = {at("CD")}, .via = {at("AC"), at("DB")}}});
   Recorder recorder;
-  run(simulation, net, recorder, {.period = 10'000});
+  run(simulation, net, recorder, {.period = 10'000, .adaptation_interval = 0});
   std::vector<std::string> seen;
   for (const auto& call : recorder.calls) {
     const RoadGraph graph(net, VehicleClass::passenger);
@@ -296,10 +306,10 @@ TEST_F(Control, StopsAndViaAreWayPointsInTheOrderOfTheRoute) {
 TEST_F(Control, WayPointsAreKeptWhenAVehicleChanges) {
   FakeSimulation simulation(
       net, {{.id = "v", .route = way(net, "SABDCABT"), .stops = {at("CA")}, .via = {at("SA")}}});
-  run(simulation, net, evolved.get(), {.period = 0});
+  run(simulation, net, evolved.get(), each_step);
   EXPECT_EQ(text(simulation.driven[VehicleId{0U}]), "SA AB BD DC CA AB BT");
   FakeSimulation free(net, fleet(net, 1, "SABDCABT"));
-  run(free, net, evolved.get(), {.period = 0});
+  run(free, net, evolved.get(), each_step);
   EXPECT_EQ(text(free.driven[VehicleId{0U}]), "SA AB BT");
 }
 
@@ -315,12 +325,12 @@ TEST_F(Control, AJamIsMeasuredAndDrivenRound) {
   EXPECT_EQ(text(simulation.driven[VehicleId{30U}]), "SA AC CD DB BT");
 }
 
-// Whatever the step: every two seconds, or once a step where that is longer.
+// Whatever the step: every five seconds.
 TEST_F(Control, LooksAtTheTrafficOnceAnInterval) {
   for (const Millis step : {100, 300, 700, 1'000, 3'000}) {
     FakeSimulation simulation(net, fleet(net, 1, "SABT"), {.step_length = step, .end = 180'000});
     run(simulation, net, evolved.get());
-    EXPECT_NEAR(static_cast<double>(simulation.looks), step == 3'000 ? 60 : 90, 1) << "steps of " << step;
+    EXPECT_NEAR(static_cast<double>(simulation.looks), 36, 1) << "steps of " << step;
   }
 }
 
@@ -330,7 +340,7 @@ TEST_F(Control, ALoopBackToItsOwnRoadIsNotAssigned) {
   recorder.answer = [&](std::span<const ClassTraffic> traffic, const Traveller&) -> Decision {
     return {.change = true, .route = vertex_way(net, *traffic[0].graph, "ABDCAB")};
   };
-  run(simulation, net, recorder, {.period = 0});
+  run(simulation, net, recorder, each_step);
   EXPECT_TRUE(std::none_of(simulation.assignments.begin(), simulation.assignments.end(),
                            [](const Assignment& a) { return a.route.front() == a.route.back(); }));
 }
@@ -340,12 +350,53 @@ TEST_F(Control, WhereThereIsNoWayItIsNotSoughtAgain) {
   FakeSimulation simulation(net, fleet(net, 1, "SABT"));
   Recorder recorder;
   recorder.answer = [](std::span<const ClassTraffic>, const Traveller&) { return Decision{}; };
-  const RunResult result = run(simulation, net, recorder, {.period = 0});
+  const RunResult result = run(simulation, net, recorder, each_step);
   std::set<VertexId> asked_on;
   for (const auto& call : recorder.calls) asked_on.insert(call.due.front().route.front());
   EXPECT_EQ(recorder.calls.size(), asked_on.size());
   EXPECT_EQ(result.unreachable, asked_on.size());
   EXPECT_EQ(text(simulation.driven[VehicleId{0U}]), "SA AB BT");
+}
+
+// AB is closed while the vehicle is on SA, and open again before it has come far on its way round.
+TEST_F(Control, AClosedRoadIsDrivenRoundAndTheOpenOneDrivenAgain) {
+  const LaneChange closing{.lane = net.roads[at("AB")].first_lane,
+                           .begin = 4'000,
+                           .end = 14'000,
+                           .permissions = Permissions::none()};
+  FakeSimulation simulation(net, {{.id = "before", .route = way(net, "SABT")},
+                                  {.id = "after", .depart = 14'000, .route = way(net, "SABT")}});
+  run(simulation, net, evolved.get(),
+      {.period = 2'000, .adaptation_interval = 1'000'000, .lane_changes = {closing}});
+  EXPECT_EQ(text(simulation.driven[VehicleId{0U}]), "SA AC CD DB BT");
+  EXPECT_EQ(text(simulation.driven[VehicleId{1U}]), "SA AB BT");
+}
+
+TEST_F(Control, ASlowRoadIsDrivenRound) {
+  const LaneChange slow{.lane = net.roads[at("AB")].first_lane, .begin = 4'000, .speed = 2};
+  FakeSimulation simulation(net, fleet(net, 1, "SABT"));
+  run(simulation, net, evolved.get(), {.period = 2'000, .lane_changes = {slow}});
+  EXPECT_EQ(text(simulation.driven[VehicleId{0U}]), "SA AC CD DB BT");
+}
+
+// The forecast expects the road to stay closed, and who can go no other way keeps to its own.
+TEST_F(Control, TheForecastKnowsWhatIsClosed) {
+  const auto forecast = make_strategy("forecast", {.rule = any_gain, .threads = 1});
+  const LaneId lane = net.roads[at("AB")].first_lane;
+  const LaneId only = net.roads[at("BT")].first_lane;
+  FakeSimulation simulation(net, fleet(net, 1, "SABT"));
+  run(simulation, net, forecast.get(),
+      {.period = 2'000,
+       .lane_changes = {{.lane = lane, .begin = 4'000, .permissions = Permissions::none()}}});
+  EXPECT_EQ(text(simulation.driven[VehicleId{0U}]), "SA AC CD DB BT");
+  FakeSimulation hopeless(net, fleet(net, 1, "SABT"));
+  const auto another = make_strategy("forecast", {.rule = any_gain, .threads = 1});
+  const RunResult result =
+      run(hopeless, net, another.get(),
+          {.period = 2'000,
+           .lane_changes = {{.lane = only, .begin = 4'000, .permissions = Permissions::none()}}});
+  EXPECT_EQ(text(hopeless.driven[VehicleId{0U}]), "SA AB BT");
+  EXPECT_GT(result.unreachable, 0U);
 }
 
 TEST_F(Control, EndsWhenItsEndIsReached) {
@@ -418,7 +469,8 @@ TEST_F(Control, NothingIsLoggedUnlessAskedFor) {
 TEST_F(Control, PredictionsOnTheWayAreThoseOfTheRestOfTheRoute) {
   for (const double braking_share : {0.5, 2.0}) {
     FakeSimulation simulation(net, fleet(net, 1, "SABT"), {.braking_share = braking_share});
-    const RunResult result = run(simulation, net, evolved.get(), {.period = 0, .log_decisions = true});
+    const RunResult result =
+        run(simulation, net, evolved.get(), {.period = 0, .adaptation_interval = 0, .log_decisions = true});
     ASSERT_GT(result.log.size(), 10U);
     for (const LoggedDecision& decision : result.log)
       EXPECT_EQ(decision.predicted_arrival, 30'000) << "decided at " << decision.time;
@@ -430,7 +482,8 @@ TEST(ControlClosed, NeverIsAPrediction) {
   const Network net = ascii_network("A-B-C-D", {.roads = {{"AB", {.speed = 0}}}});
   FakeSimulation simulation(net, fleet(net, 1, "ABCD"), {.end = 20'000, .braking_share = 0});
   const auto strategy = make_strategy("evolved", {.rule = any_gain, .threads = 1});
-  const RunResult result = run(simulation, net, strategy.get(), {.period = 0, .log_decisions = true});
+  const RunResult result =
+      run(simulation, net, strategy.get(), {.period = 0, .adaptation_interval = 0, .log_decisions = true});
   ASSERT_FALSE(result.log.empty());
   for (const LoggedDecision& decision : result.log) EXPECT_EQ(decision.predicted_arrival, infinity);
 }

@@ -27,7 +27,7 @@ TEST_F(TimedCostsTest, AreFreeFlowWhereNobodyIs) {
   Residuals residuals(net);
   TimedCosts costs(net, graph);
   forecast.run(driven.fleet, 0);
-  costs.refresh(forecast, residuals, 0);
+  costs.refresh(forecast, residuals, Conditions(net), 0);
   for (const Millis time : {Millis{0}, Millis{7}, Millis{999'000}, Millis{10'000'000}})
     EXPECT_EQ(costs.arrive(turn("AB"), time), time + 30'000);
 }
@@ -47,7 +47,7 @@ TEST_F(TimedCostsTest, FollowTheQueueAndNobodyPasses) {
   Residuals residuals(net);
   TimedCosts costs(net, graph);
   forecast.run(driven.fleet, 0);
-  costs.refresh(forecast, residuals, 0);
+  costs.refresh(forecast, residuals, Conditions(net), 0);
   EXPECT_NEAR(to_seconds(costs.arrive(turn("AB"), 0)), 60, 4);
   EXPECT_EQ(costs.arrive(turn("AB"), 200'000), 230'000);
   Millis last = 0;
@@ -76,11 +76,32 @@ TEST_F(TimedCostsTest, WhatWasMeasuredMovesThemAndFades) {
   residuals.refresh(servers, forecast, measured);
   EXPECT_NEAR(residuals[road(net, "AB")], 70, 9) << "eight traversals' worth is left to the model";
   TimedCosts costs(net, graph);
-  costs.refresh(forecast, residuals, 0);
+  costs.refresh(forecast, residuals, Conditions(net), 0);
   const double now = to_seconds(costs.arrive(turn("AB"), 0)) - 30;
   const double later = to_seconds(costs.arrive(turn("AB"), 900'000) - 900'000) - 30;
   EXPECT_NEAR(now, residuals[road(net, "AB")], 0.1);
   EXPECT_NEAR(later, now * 0.3679, 0.5);
+}
+
+// BC is closed for ten seconds, and slow from then on.
+TEST_F(TimedCostsTest, KnowWhatIsClosedAndWhatIsSlow) {
+  Driven driven(net, 1);
+  const Discharge discharge(net, servers, driven.demand);
+  QueueForecast forecast(net, servers, discharge);
+  const Residuals residuals(net);
+  TimedCosts costs(net, graph);
+  forecast.run(driven.fleet, 0);
+  const auto lane = [&](const char* id) { return net.roads[road(net, id)].first_lane; };
+  Conditions conditions(net, {{.lane = lane("BC"), .end = 10'000, .permissions = Permissions::none()},
+                              {.lane = lane("BC"), .begin = 10'000, .speed = 2}});
+  conditions.advance(0);
+  costs.refresh(forecast, residuals, conditions, 0);
+  EXPECT_GE(costs.arrive(turn("AB"), 0), TimedCosts::closed);
+  EXPECT_EQ(costs.arrive(turn("BC"), 0), 30'000) << "who is there may leave";
+  conditions.advance(10'000);
+  costs.refresh(forecast, residuals, conditions, 10'000);
+  EXPECT_EQ(costs.arrive(turn("AB"), 10'000), 40'000);
+  EXPECT_EQ(costs.arrive(turn("BC"), 10'000), 160'000) << "300 m at 2 m/s";
 }
 
 }  // namespace
