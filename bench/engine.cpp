@@ -106,7 +106,7 @@ void single_query(State& state, Maker make, bool with_way) {
   std::vector<VertexId> roads;
   std::size_t i = 0;
   for (auto _ : state) {
-    if (i == due.size()) {  // ways are remembered until the next customisation: these are not to be the same
+    if (i == due.size()) {  // ways are remembered until the next customisation: no way is to be asked twice
       state.PauseTiming();
       metric.customise(on.topology, on.net.costs);
       i = 0;

@@ -31,7 +31,7 @@ void CchMetric<W>::relax_row(const CchTopology& topology, CchTopology::Rank x, P
     slots[topology.head(edge)] = edge;
   }
   for (const auto [v, lower] : topology.lower_edges(x)) {
-    if (part != Part::all && is_top_[v] != (part == Part::top)) continue;
+    if (part != Part::all && topology.in_same_group(v, x) != (part == Part::own_group)) continue;
     const W to_v = down[lower];
     const W from_v = up[lower];
     if (to_v >= none && from_v >= none) continue;
@@ -56,31 +56,32 @@ void CchMetric<W>::customise(const CchTopology& topology, const std::vector<Mill
     for (Rank x = 0; x < topology.vertex_count(); ++x) relax_row(topology, x, Part::all, slots_.front());
     return;
   }
-  is_top_.assign(topology.vertex_count(), true);
-  const auto subtrees = topology.subtrees();
-  for (const auto& subtree : subtrees) {
-    for (Rank x = subtree.first; x < subtree.last; ++x) is_top_[x] = false;
-  }
-  top_.clear();
-  for (Rank x = 0; x < topology.vertex_count(); ++x) {
-    if (is_top_[x]) top_.push_back(x);
-  }
-  // The subtrees side by side; then what they give to the top, row by row side by side; then the top in
-  // order.
-  parallel_for(subtrees.size(), threads, [&](std::size_t i, std::size_t worker) {
-    for (Rank x = subtrees[i].first; x < subtrees[i].last; ++x) {
-      relax_row(topology, x, Part::all, slots_[worker]);
-    }
-  });
-  parallel_for(top_.size(), threads, [&](std::size_t i, std::size_t worker) {
-    relax_row(topology, top_[i], Part::subtrees, slots_[worker]);
-  });
-  for (const Rank x : top_) relax_row(topology, x, Part::top, slots_.front());
+  // Level by level: first what every row takes from lower levels, row by row side by side; then what it takes
+  // from its own group, group by group. The lowest level has nothing below it.
+  const auto is_by_row = [](std::size_t phase) { return phase % 2 == 1; };
+  const auto level_of = [](std::size_t phase) { return (phase + 1) / 2; };
+  parallel_phases(
+      topology.level_count() == 0 ? 0 : 2 * topology.level_count() - 1, threads,
+      [&](std::size_t phase) {
+        const std::size_t level = level_of(phase);
+        return is_by_row(phase) ? topology.level(level).size() : topology.group_count(level);
+      },
+      [&](std::size_t phase, std::size_t i, std::size_t worker) {
+        const std::size_t level = level_of(phase);
+        if (is_by_row(phase)) {
+          relax_row(topology, topology.level(level)[i], Part::other_groups, slots_[worker]);
+          return;
+        }
+        for (const Rank x : topology.group(level, i)) {
+          relax_row(topology, x, level == 0 ? Part::all : Part::own_group, slots_[worker]);
+        }
+      });
 }
 
 template <CchWeight W>
 typename CchMetric<W>::Over CchMetric<W>::over(const Digraph& graph, const std::vector<Millis>& costs,
                                                const CchTopology& topology, const Step& step) const {
+  if (topology.lower_edges(step.lower).empty()) return an_arc;
   // Whoever finds it first finds the same.
   const std::atomic_ref<Over> kept(over_[2 * std::size_t{step.edge} + (step.upward ? 1 : 0)]);
   Over known = kept.load(std::memory_order_relaxed);
@@ -100,10 +101,14 @@ typename CchMetric<W>::Over CchMetric<W>::find_over(const Digraph& graph, const 
   const auto& to_lower = step.upward ? down : up;  // the half between the lowest vertex and the lower end
   const auto& to_higher = step.upward ? up : down;
   Over found = an_arc;
-  for (const auto [v, near] : topology.lower_edges(step.lower)) {
-    if (to_lower[near] > cost) continue;
-    const auto far = topology.edge_between(v, higher);
-    if (far == CchTopology::no_edge || to_lower[near] + to_higher[far] != cost) continue;
+  // Both ends' lower neighbours, ascending; the higher end has the lower one among its own.
+  const auto near = topology.lower_edges(step.lower);
+  const auto all_far = topology.lower_edges(higher);
+  auto far = std::lower_bound(all_far.begin(), all_far.end(), near.front().tail,
+                              [](const auto& edge, CchTopology::Rank rank) { return edge.tail < rank; });
+  for (const auto [v, edge] : near) {
+    while (far->tail < v) ++far;
+    if (far->tail != v || to_lower[edge] + to_higher[far->edge] != cost) continue;
     if (found != an_arc) return several;
     found = v;
   }

@@ -130,11 +130,13 @@ void CchEngine::serve_batch(CchMethod method, const Digraph& graph, const CchMet
     for (std::size_t i = 0; i < ends.size(); ++i) {
       lone.start(topology, metric, ends[i]);
       const auto label = [&](VertexId v) { return from_label(lone.cost(topology, metric, v)); };
-      for (Leg& leg : legs.group(batch.first + i)) {
+      const auto group = legs.group(batch.first + i);
+      Leg& leg = group.front();
+      if (group.size() == 1 && label(leg.origin) < infinity &&
+          lone.only_way(graph, costs_, topology, metric, leg.origin, leg.roads)) {
         leg.cost = label(leg.origin);
-        if (leg.cost >= infinity) continue;
-        if (lone.only_way(graph, costs_, topology, metric, leg.origin, leg.roads)) continue;
-        walk_next_hops(graph, costs_, leg.origin, leg.destination, label, leg.roads);
+      } else {  // several share the costs found on their ways
+        walk(graph, costs_, group, label);
       }
     }
     return;
