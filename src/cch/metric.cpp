@@ -31,7 +31,7 @@ void CchMetric<W>::relax_row(const CchTopology& topology, CchTopology::Rank x, P
     slots[topology.head(edge)] = edge;
   }
   for (const auto [v, lower] : topology.lower_edges(x)) {
-    if (part != Part::all && topology.in_same_group(v, x) != (part == Part::own_group)) continue;
+    if (part != Part::all && is_top_[v] != (part == Part::top)) continue;
     const W to_v = down[lower];
     const W from_v = up[lower];
     if (to_v >= none && from_v >= none) continue;
@@ -56,26 +56,26 @@ void CchMetric<W>::customise(const CchTopology& topology, const std::vector<Mill
     for (Rank x = 0; x < topology.vertex_count(); ++x) relax_row(topology, x, Part::all, slots_.front());
     return;
   }
-  // Level by level: first what every row takes from lower levels, row by row side by side; then what it takes
-  // from its own group, group by group. The lowest level has nothing below it.
-  const auto is_by_row = [](std::size_t phase) { return phase % 2 == 1; };
-  const auto level_of = [](std::size_t phase) { return (phase + 1) / 2; };
-  parallel_phases(
-      topology.level_count() == 0 ? 0 : 2 * topology.level_count() - 1, threads,
-      [&](std::size_t phase) {
-        const std::size_t level = level_of(phase);
-        return is_by_row(phase) ? topology.level(level).size() : topology.group_count(level);
-      },
-      [&](std::size_t phase, std::size_t i, std::size_t worker) {
-        const std::size_t level = level_of(phase);
-        if (is_by_row(phase)) {
-          relax_row(topology, topology.level(level)[i], Part::other_groups, slots_[worker]);
-          return;
-        }
-        for (const Rank x : topology.group(level, i)) {
-          relax_row(topology, x, level == 0 ? Part::all : Part::own_group, slots_[worker]);
-        }
-      });
+  is_top_.assign(topology.vertex_count(), true);
+  const auto subtrees = topology.subtrees();
+  for (const auto& subtree : subtrees) {
+    for (Rank x = subtree.first; x < subtree.last; ++x) is_top_[x] = false;
+  }
+  top_.clear();
+  for (Rank x = 0; x < topology.vertex_count(); ++x) {
+    if (is_top_[x]) top_.push_back(x);
+  }
+  // The subtrees side by side; then what they give to the top, row by row side by side; then the top in
+  // order.
+  parallel_for(subtrees.size(), threads, [&](std::size_t i, std::size_t worker) {
+    for (Rank x = subtrees[i].first; x < subtrees[i].last; ++x) {
+      relax_row(topology, x, Part::all, slots_[worker]);
+    }
+  });
+  parallel_for(top_.size(), threads, [&](std::size_t i, std::size_t worker) {
+    relax_row(topology, top_[i], Part::subtrees, slots_[worker]);
+  });
+  for (const Rank x : top_) relax_row(topology, x, Part::top, slots_.front());
 }
 
 template <CchWeight W>

@@ -55,7 +55,7 @@ class CchMetric {
                           const Step& step) const;
 
  private:
-  enum class Part : std::uint8_t { all, other_groups, own_group };
+  enum class Part : std::uint8_t { all, subtrees, top };
   using Slots = std::vector<CchTopology::EdgeIndex>;
 
   void take_costs(const CchTopology& topology, const std::vector<Millis>& costs);
@@ -67,6 +67,8 @@ class CchMetric {
   mutable std::vector<Over> over_;  ///< by edge, downward and upward; read and written as atomics
   std::vector<Slots>
       slots_;  ///< scratch, one a thread: by rank, the edge that leads there from the row's vertex
+  std::vector<bool> is_top_;            ///< scratch, by rank
+  std::vector<CchTopology::Rank> top_;  ///< scratch: ranks outside the subtrees
 };
 
 extern template class CchMetric<std::uint32_t>;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "core/error.hpp"
@@ -18,7 +16,7 @@ CchTopology::CchTopology(const Digraph& graph, EliminationOrder order)
   complete(graph);
   list_parents();
   list_lower_edges();
-  cut_groups();
+  cut_subtrees();
   place_arcs(graph);
 }
 
@@ -76,47 +74,23 @@ void CchTopology::list_lower_edges() {
   }
 }
 
-void CchTopology::cut_groups() {
-  const std::size_t count = order_.size();
-  std::vector<std::uint64_t> work(count, 0);  // triangles of the whole subtree; a vertex counts as one
-  for (Rank v = 0; v < count; ++v) {
+void CchTopology::cut_subtrees() {
+  std::vector<std::uint64_t> work(order_.size(),
+                                  0);  // triangles of the whole subtree; a vertex counts as one
+  std::vector<Rank> size(order_.size(), 1);
+  const std::uint64_t limit = (triangle_count_ + order_.size()) / 100;
+  for (Rank v = 0; v < order_.size(); ++v) {
     const std::uint64_t row = heads(v).size();
     work[v] += 1 + row * (row > 0 ? row - 1 : 0) / 2;
-    if (parent(v) != v) work[parent(v)] += work[v];
+    if (parent(v) == v) continue;
+    work[parent(v)] += work[v];
+    size[parent(v)] += size[v];
   }
-  // Every rank is named by the highest of its group, and has the level of its group once its turn comes.
-  const std::uint64_t limit = (triangle_count_ + count) / 100;
-  std::vector<std::uint32_t> level(count, 0);
-  std::vector<std::uint32_t> branches(count, 0);  // groups right below that are above the subtrees
-  for (Rank v = 0; v < count; ++v) {
-    const bool is_small = work[v] <= limit;
-    const Rank above = parent(v);
-    if (!is_small && branches[v] != 1) ++level[v];
-    if (above == v || work[above] <= limit) continue;
-    level[above] = std::max(level[above], level[v]);
-    if (!is_small) ++branches[above];
+  for (Rank v = 0; v < order_.size(); ++v) {
+    const bool whole = work[v] <= limit;
+    const bool parent_too = parent(v) != v && work[parent(v)] <= limit;
+    if (whole && !parent_too) subtrees_.push_back({.first = v + 1 - size[v], .last = v + 1});
   }
-  group_of_.resize(count);
-  for (Rank v = static_cast<Rank>(count); v-- > 0;) {
-    const Rank above = parent(v);
-    const bool is_small = work[v] <= limit;
-    const bool goes_on = above != v && (is_small ? work[above] <= limit : branches[above] == 1);
-    group_of_[v] = goes_on ? group_of_[above] : v;
-    if (goes_on) level[v] = level[above];
-  }
-  grouped_.resize(count);
-  std::iota(grouped_.begin(), grouped_.end(), Rank{0});
-  std::sort(grouped_.begin(), grouped_.end(), [&](Rank a, Rank b) {
-    return std::tuple(level[a], group_of_[a], a) < std::tuple(level[b], group_of_[b], b);
-  });
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (i > 0 && in_same_group(grouped_[i], grouped_[i - 1])) continue;
-    if (i == 0 || level[grouped_[i]] != level[grouped_[i - 1]])
-      levels_.push_back(static_cast<std::uint32_t>(groups_.size()));
-    groups_.push_back(i);
-  }
-  levels_.push_back(static_cast<std::uint32_t>(groups_.size()));
-  groups_.push_back(static_cast<std::uint32_t>(count));
 }
 
 void CchTopology::place_arcs(const Digraph& graph) {

@@ -52,23 +52,14 @@ class CchTopology {
     return {lower_.data() + lower_first_[v], lower_.data() + lower_first_[v + 1]};
   }
 
-  /// Ranks, ascending, that are customised one after the other: a subtree of the elimination tree that takes
-  /// no more than a hundredth of all triangles, or above these a chain of it without branches.
-  using Group = std::span<const Rank>;
-  /// The groups of a level depend on nothing but themselves and lower levels.
-  [[nodiscard]] std::size_t level_count() const { return levels_.size() - 1; }
-  [[nodiscard]] std::size_t group_count(std::size_t level) const {
-    return levels_[level + 1] - levels_[level];
-  }
-  [[nodiscard]] Group group(std::size_t level, std::size_t i) const {
-    const std::size_t number = levels_[level] + i;
-    return {grouped_.data() + groups_[number], grouped_.data() + groups_[number + 1]};
-  }
-  /// All of a level's groups, one behind the other.
-  [[nodiscard]] std::span<const Rank> level(std::size_t level) const {
-    return {grouped_.data() + groups_[levels_[level]], grouped_.data() + groups_[levels_[level + 1]]};
-  }
-  [[nodiscard]] bool in_same_group(Rank a, Rank b) const { return group_of_[a] == group_of_[b]; }
+  /// Ranks first .. last - 1: a whole subtree of the elimination tree. Nothing in it depends on another one.
+  struct Subtree {
+    Rank first;
+    Rank last;
+  };
+  /// The largest subtrees that do not take more than a hundredth of all triangles, ascending; the ranks
+  /// between them are the top of the tree.
+  [[nodiscard]] std::span<const Subtree> subtrees() const { return subtrees_; }
 
   /// Where the arcs of the graph go: the edge, and whether it is driven from its lower to its higher end.
   struct Place {
@@ -82,7 +73,7 @@ class CchTopology {
   void complete(const Digraph& graph);
   void list_parents();
   void list_lower_edges();
-  void cut_groups();
+  void cut_subtrees();
   void place_arcs(const Digraph& graph);
 
   EliminationOrder order_;
@@ -92,10 +83,7 @@ class CchTopology {
   std::vector<Rank> parents_;
   std::vector<EdgeIndex> lower_first_;
   std::vector<LowerEdge> lower_;
-  std::vector<Rank> grouped_;            ///< all ranks, by level and group
-  std::vector<std::uint32_t> groups_;    ///< into `grouped_`
-  std::vector<std::uint32_t> levels_;    ///< into `groups_`
-  std::vector<std::uint32_t> group_of_;  ///< by rank
+  std::vector<Subtree> subtrees_;
   std::vector<Place> places_;
   std::uint64_t triangle_count_ = 0;
 };

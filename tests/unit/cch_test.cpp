@@ -45,30 +45,22 @@ TEST(CchTopology, TheCompletionOfARing) {
   EXPECT_FALSE(topology.place(ArcId{5}).upward);  // 5 -> 0
 }
 
-TEST(CchTopology, GroupsDependOnLowerLevelsOnly) {
+TEST(CchTopology, EverySubtreeIsARangeAndTheyDoNotTouch) {
   const Digraph graph = grid_graph(40);
   const CchTopology topology = topology_of(graph);
-  ASSERT_GT(topology.level_count(), 3U);
-  ASSERT_GT(topology.group_count(0), 8U);
-  std::vector<std::size_t> level_of(topology.vertex_count(), 0);
-  std::vector<int> seen(topology.vertex_count(), 0);
-  for (std::size_t level = 0; level < topology.level_count(); ++level) {
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < topology.group_count(level); ++i) {
-      const auto group = topology.group(level, i);
-      EXPECT_TRUE(std::is_sorted(group.begin(), group.end()));
-      size += group.size();
-      for (const auto v : group) {
-        ++seen[v];
-        level_of[v] = level;
-      }
-    }
-    EXPECT_EQ(topology.level(level).size(), size);
+  ASSERT_GT(topology.subtrees().size(), 8U);
+  std::vector<std::uint32_t> subtree(topology.vertex_count(), 0);
+  std::uint32_t number = 0;
+  CchTopology::Rank end = 0;
+  for (const auto [first, last] : topology.subtrees()) {
+    EXPECT_LE(end, first);
+    end = last;
+    ++number;
+    for (auto v = first; v < last; ++v) subtree[v] = number;
   }
-  EXPECT_EQ(seen, std::vector<int>(topology.vertex_count(), 1));
   for (CchTopology::Rank v = 0; v < topology.vertex_count(); ++v) {
     for (const auto head : topology.heads(v)) {
-      EXPECT_TRUE(topology.in_same_group(v, head) || level_of[v] < level_of[head]) << v << " - " << head;
+      EXPECT_TRUE(subtree[head] == 0 || subtree[head] == subtree[v]) << v << " - " << head;
     }
   }
 }

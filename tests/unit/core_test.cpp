@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -73,24 +72,6 @@ TEST(Parallel, AWorkerIsOneThreadAtATime) {
     --inside[worker];
   });
   EXPECT_FALSE(clashed);
-}
-
-TEST(Parallel, APhaseSeesAllOfThePhaseBefore) {
-  for (const std::size_t threads : {0U, 1U, 2U, 4U}) {
-    std::vector<int> numbers(500, 1);
-    std::vector<int> sums(20);
-    parallel_phases(
-        20, threads, [&](std::size_t phase) { return phase % 2 == 0 ? numbers.size() : 1; },
-        [&](std::size_t phase, std::size_t item, std::size_t) {
-          if (phase % 2 == 0) {
-            ++numbers[item];
-          } else {
-            sums[phase] = std::accumulate(numbers.begin(), numbers.end(), 0);
-          }
-        });
-    for (std::size_t phase = 1; phase < 20; phase += 2)
-      EXPECT_EQ(sums[phase], static_cast<int>(500 + 500 * (phase + 1) / 2)) << threads << " threads";
-  }
 }
 
 TEST(Parallel, AnExceptionComesOutAndEndsTheWork) {
