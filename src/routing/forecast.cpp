@@ -46,17 +46,28 @@ class Potentials {
   DijkstraScratch scratch_;
 };
 
+/// Who set out the day before.
+std::vector<QueueForecast::Departure> departures_of(const Memory& memory) {
+  std::vector<QueueForecast::Departure> departures;
+  for (const RememberedTrip& trip : memory.trips)
+    departures.push_back({.time = trip.depart, .route = trip.route});
+  return departures;
+}
+
 /// Routes by the times that a queue forecast expects, made anew every `round`.
 class ForecastStrategy : public Strategy {
  public:
   explicit ForecastStrategy(const StrategyOptions& options)
-      : rule_(options.rule), scratch_(std::max<std::size_t>(1, options.threads)) {}
+      : rule_(options.rule), memory_(options.memory), scratch_(std::max<std::size_t>(1, options.threads)) {}
 
   [[nodiscard]] bool looks_ahead() const override { return true; }
 
   void watch(const TrafficState& state) override {
     now_ = state.now;
-    if (!model_) model_.emplace(state);
+    if (!model_) {
+      model_.emplace(state);
+      if (memory_ != nullptr) model_->forecast.expect(departures_of(*memory_));
+    }
     for (const SignalId signal : state.changed_signals)
       model_->servers.set_programme(signal, state.programmes[signal]);
     for (const RoadId road : state.conditions.roads())
@@ -183,6 +194,7 @@ class ForecastStrategy : public Strategy {
   }
 
   ChoiceRule rule_;
+  const Memory* memory_;
   Millis round_ = 15'000;
   Millis next_round_ = 0;
   std::uint32_t conditions_version_ = 0;

@@ -34,6 +34,12 @@ class QueueForecast {
   QueueForecast(const Network& network, const Servers& servers, const Discharge& discharge,
                 const ForecastOptions& options = {});
 
+  struct Departure {
+    Millis time;
+    std::vector<RoadId> route;
+  };
+  /// Who will depart, by time, as far as SUMO has not loaded them: known from elsewhere and not assumed.
+  void expect(std::vector<Departure> departures) { expected_ = std::move(departures); }
   /// Notes who departs, for the assumed demand. At every look.
   void observe(const Fleet& fleet, Millis now);
   /// Looks ahead from the fleet's present state.
@@ -80,7 +86,8 @@ class QueueForecast {
   };
 
   void place(const FleetVehicle& vehicle, double now);
-  void repeat_departures(const Fleet& fleet, Millis now);
+  void assume_departures(const Fleet& fleet, Millis now);
+  void repeat_departures(Millis known_until, Millis now);
   void add(const std::vector<RoadId>& route, std::size_t position, double time, Kind kind, LaneId preferred);
   void handle(const Event& event);
   void depart(const Event& event);
@@ -97,10 +104,7 @@ class QueueForecast {
   ForecastOptions options_;
   double horizon_;
 
-  struct Departure {
-    Millis time;
-    std::vector<RoadId> route;
-  };
+  std::vector<Departure> expected_;
   std::deque<Departure> recent_;
   Millis noted_until_ = -1;
 
