@@ -18,6 +18,7 @@
 #include "simulation/run_folder.hpp"
 #include "simulation/sumo_module.hpp"
 #include "sumo/program.hpp"
+#include "traffic/memory_file.hpp"
 
 namespace thalweg {
 namespace {
@@ -63,7 +64,12 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
     decisions.emplace(project.output / decision_output, options.header());
     control_with.log_decisions = true;
   }
-  const auto strategy = arm.ours ? make_strategy(arm.name, strategy_options(options)) : nullptr;
+  Memory memory;
+  if (!options.text("memory-input").empty())
+    memory = read_memory(options.text("memory-input"), project.network);
+  StrategyOptions strategy_with = strategy_options(options);
+  if (memory.days > 0) strategy_with.memory = &memory;
+  const auto strategy = arm.ours ? make_strategy(arm.name, strategy_with) : nullptr;
   SessionSetup setup{.arguments = {"-c", folder.configuration.string()},
                      .network = &project.network,
                      .demand = &project.demand};
@@ -88,6 +94,10 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   summary.router_cpu_s = arm.ours ? result.router_cpu_s : 0;
   summary.simulation_cpu_s = result.simulation_cpu_s;
   if (decisions) decisions->write(project.network, project.demand, result);
+  if (!options.text("memory-output").empty()) {
+    strategy->remember(memory);
+    write_memory(options.text("memory-output"), project.network, memory, options.header());
+  }
   tell_end(result, control_with.stall);
   return result;
 }
@@ -103,6 +113,10 @@ Options run_options() {
   specs.push_back({"random", "seed", 0, "INT", "23423", "SUMO's seed"});
   specs.push_back(
       {"output", "decision-output", 0, "FILE", "", "Every routing decision, in the output folder"});
+  specs.push_back(
+      {"input", "memory-input", 0, "FILE", "", "The folder of what the days before have taught (memory)"});
+  specs.push_back(
+      {"output", "memory-output", 0, "FILE", "", "The folder for that and what this run has lived"});
   return {"run", "one headless run of SUMO with one router in charge", std::move(specs)};
 }
 
@@ -116,6 +130,9 @@ int run_command(std::span<const std::string> arguments) {
     static_cast<void>(control_options(options));
     static_cast<void>(strategy_options(options));
     static_cast<void>(options.count("seed"));
+    const bool has_memory = !options.text("memory-input").empty() || !options.text("memory-output").empty();
+    verify(!has_memory || arm.name == "memory",
+           "--memory-input and --memory-output go with --strategy memory: no other router has one");
   });
   const RunFolder folder =
       make_run_folder(project.output, project.settings, project.catalogue, project.demand_files, arm,

@@ -51,12 +51,15 @@ struct Manners {
 class ForecastStrategy : public Strategy {
  public:
   ForecastStrategy(const StrategyOptions& options, const Manners& manners)
-      : rule_(options.rule), manners_(manners), scratch_(std::max<std::size_t>(1, options.threads)) {}
+      : rule_(options.rule),
+        manners_(manners),
+        memory_(options.memory),
+        scratch_(std::max<std::size_t>(1, options.threads)) {}
 
   [[nodiscard]] bool looks_ahead() const override { return true; }
 
   void watch(const TrafficState& state) override {
-    if (!foresight_) foresight_.emplace(state);
+    if (!foresight_) foresight_.emplace(state, memory_);
     if (!foresight_->watch(state)) return;
     rule_.caution = foresight_->hindsight().caution();
     for (auto& seen : classes_) seen.is_fresh = false;
@@ -225,6 +228,7 @@ class ForecastStrategy : public Strategy {
 
   ChoiceRule rule_;
   Manners manners_;
+  const Memory* memory_;
   std::optional<Foresight> foresight_;
   std::vector<ClassView> classes_;
   std::vector<TimedScratch> scratch_;

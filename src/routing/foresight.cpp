@@ -2,10 +2,11 @@
 #include "routing/foresight.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace thalweg {
 
-Foresight::Foresight(const TrafficState& first)
+Foresight::Foresight(const TrafficState& first, const Memory* memory)
     : network_(first.network),
       conditions_(first.conditions),
       servers_(first.network),
@@ -14,7 +15,13 @@ Foresight::Foresight(const TrafficState& first)
       level_(first.network),
       residuals_(first.network),
       bookings_(first.network, forecast_.table()),
-      hindsight_(first.demand.vehicles.size()) {}
+      hindsight_(first.demand.vehicles.size()) {
+  if (memory == nullptr) return;
+  std::vector<QueueForecast::Departure> departures;
+  for (const RememberedTrip& trip : memory->trips)
+    departures.push_back({.time = trip.depart, .route = trip.route});
+  forecast_.expect(std::move(departures));
+}
 
 bool Foresight::watch(const TrafficState& state) {
   now_ = state.now;

@@ -17,7 +17,8 @@ namespace thalweg {
 /// and looked ahead from anew once a round.
 class Foresight {
  public:
-  explicit Foresight(const TrafficState& first);
+  /// With a memory, those who set out on the day before are expected again.
+  explicit Foresight(const TrafficState& first, const Memory* memory = nullptr);
   Foresight(const Foresight&) = delete;  // its parts refer to each other
   Foresight& operator=(const Foresight&) = delete;
 

@@ -13,6 +13,7 @@
 #include "graph/road_graph.hpp"
 #include "traffic/conditions.hpp"
 #include "traffic/fleet.hpp"
+#include "traffic/memory.hpp"
 
 namespace thalweg {
 
@@ -32,7 +33,7 @@ struct Traveller {
   std::vector<VertexId> waypoints;  ///< roads it must pass in this order: stops, `via`; last its destination
   Millis until_route = 0;           ///< from now until it enters route.front()
   double driven = 0;                ///< share of route.front() that lies behind it
-  double patience = 0;              ///< in [0, 1), fixed for each vehicle by a hash of its name
+  double patience = 0;              ///< in [0, 1), by a hash of its name; above: it has reasons to stay
   bool departed = true;
 };
 
@@ -72,6 +73,7 @@ struct TrafficState {
   const Demand& demand;
   const Fleet& fleet;
   const MeasuredTimes& measured;
+  std::span<const Observation> observations;  ///< of now
   const Conditions& conditions;
   const IdVector<SignalId, SignalProgramme>& programmes;
   std::span<const SignalId> changed_signals;  ///< those whose programme is new
@@ -88,12 +90,15 @@ class Strategy {
   /// decisions[i] belongs to due[i]. The result does not depend on the number of threads.
   virtual void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
                       std::vector<Decision>& decisions) = 0;
+  /// At the end of a run: what it has lived goes into the memory.
+  virtual void remember(Memory& /*memory*/) {}
 };
 
 struct StrategyOptions {
   ChoiceRule rule{};
   std::size_t threads = 1;
-  OrderCache order_cache{};  ///< of the hierarchy; nowhere by default
+  OrderCache order_cache{};        ///< of the hierarchy; nowhere by default
+  const Memory* memory = nullptr;  ///< of the days before, for `memory`; outlives the strategy
 };
 
 /// The strategies there are, each with the sentence that `--help` shows.

@@ -140,6 +140,7 @@ class Controller {
                      .demand = demand_,
                      .fleet = fleet_,
                      .measured = measured_,
+                     .observations = observations,
                      .conditions = conditions_,
                      .programmes = programmes_,
                      .changed_signals = changed_signals_});

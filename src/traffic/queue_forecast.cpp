@@ -58,7 +58,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   next_insertion_.assign(next_insertion_.size(), -1e9);
   insertion_.assign(fleet.size(), 0);
   for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], to_seconds(now));
-  if (options_.repeated > 0) repeat_departures(fleet, now);
+  assume_departures(fleet, now);
   // A heap a second and not one for all: most events are far off, and need no order among themselves yet.
   for (second_ = 0; second_ < seconds_.size(); ++second_) {
     auto& events = seconds_[second_];
@@ -98,9 +98,20 @@ void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now)
   add({.route = &vehicle.route, .position = position, .preferred = preferred}, time, Kind::reaches_end);
 }
 
-void QueueForecast::repeat_departures(const Fleet& fleet, Millis now) {
+void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
   Millis known_until = now;  // SUMO has loaded everybody up to here
   for (const VehicleId vehicle : fleet.present()) known_until = std::max(known_until, fleet[vehicle].depart);
+  if (expected_.empty()) {
+    if (options_.repeated > 0) repeat_departures(known_until, now);
+    return;
+  }
+  auto next = std::upper_bound(expected_.begin(), expected_.end(), known_until,
+                               [](Millis time, const Departure& departure) { return time < departure.time; });
+  for (; next != expected_.end() && to_seconds(next->time - now) <= horizon_; ++next)
+    add({.route = &next->route, .position = 0}, to_seconds(next->time - now), Kind::departs);
+}
+
+void QueueForecast::repeat_departures(Millis known_until, Millis now) {
   for (const Departure& departure : recent_) {
     if (departure.time <= known_until - options_.repeated || departure.time > known_until) continue;
     for (Millis time = departure.time + options_.repeated; to_seconds(time - now) <= horizon_;

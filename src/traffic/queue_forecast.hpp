@@ -35,6 +35,12 @@ class QueueForecast {
   QueueForecast(const Network& network, const Servers& servers, const Discharge& discharge,
                 const ForecastOptions& options = {});
 
+  struct Departure {
+    Millis time;
+    std::vector<RoadId> route;
+  };
+  /// Who will depart, by time, as far as SUMO has not loaded them: known from elsewhere and not assumed.
+  void expect(std::vector<Departure> departures) { expected_ = std::move(departures); }
   /// Notes who departs, for the assumed demand. At every look.
   void observe(const Fleet& fleet, Millis now);
   /// Looks ahead from the fleet's present state; roads take their free flow times the level's pace.
@@ -76,7 +82,8 @@ class QueueForecast {
   };
 
   void place(VehicleId id, const FleetVehicle& vehicle, double now);
-  void repeat_departures(const Fleet& fleet, Millis now);
+  void assume_departures(const Fleet& fleet, Millis now);
+  void repeat_departures(Millis known_until, Millis now);
   void add(const Mover& mover, double time, Kind kind);
   [[nodiscard]] double crossing(RoadId road) const { return pace_ * servers_.free_flow(road); }
   void handle(const Event& event);
@@ -94,10 +101,7 @@ class QueueForecast {
   double pace_ = 1;
   double junction_pace_ = 1;
 
-  struct Departure {
-    Millis time;
-    std::vector<RoadId> route;
-  };
+  std::vector<Departure> expected_;
   std::deque<Departure> recent_;
   Millis noted_until_ = -1;
 
