@@ -127,6 +127,7 @@ class Controller {
 
   void watch(std::span<const Observation> observations) {
     fleet_.on_observed(network_, observations);
+    find_lost(observations);
     changed_signals_.clear();
     for (std::size_t i = 0; i < programmes_.size(); ++i) {
       const SignalId signal{i};
@@ -143,6 +144,15 @@ class Controller {
                      .conditions = conditions_,
                      .programmes = programmes_,
                      .changed_signals = changed_signals_});
+  }
+
+  /// Those that a rerouter of SUMO's sent another way are seen again after the next look.
+  void find_lost(std::span<const Observation> observations) {
+    for (const Observation& seen : observations) {
+      if (!seen.vehicle.valid() || !fleet_[seen.vehicle].is_lost) continue;
+      const Plan plan = simulation_.plan(seen.vehicle);
+      if (!plan.route.empty()) fleet_.on_plan(seen.vehicle, plan.route);
+    }
   }
 
   void decide() {
@@ -163,6 +173,7 @@ class Controller {
   void add_traveller(VehicleId vehicle) {
     Plan plan = simulation_.plan(vehicle);
     if (!plan.can_change || plan.committed >= plan.route.size()) return;
+    if (strategy_.looks_ahead()) fleet_.on_plan(vehicle, plan.route);
     const DemandVehicle& wanted = demand_.vehicles[vehicle];
     Traveller traveller;
     traveller.vehicle = vehicle;
@@ -203,16 +214,9 @@ class Controller {
         time = std::max(time, from_seconds(conditions_.crossing(road)));
       }
       turn_costs(*traffic.graph, traffic.road_times, traffic.turn_costs);
-      for (const RoadId road : conditions_.roads()) close(road, traffic);
+      for (const ArcId turn : conditions_.closed_turns(*traffic.graph))
+        traffic.turn_costs[turn.value] = infinity;
     }
-  }
-
-  /// Nobody turns into a road that is closed; who is on it may leave.
-  void close(RoadId road, ClassTraffic& traffic) const {
-    const RoadGraph& graph = *traffic.graph;
-    const VertexId vertex = graph.vertex(road);
-    if (!vertex.valid() || !conditions_.closed(road, graph.vehicle_class())) return;
-    for (const Arc& turn : graph.turns().in(vertex)) traffic.turn_costs[turn.id.value] = infinity;
   }
 
   [[nodiscard]] Millis until_route(std::size_t i) const {

@@ -28,12 +28,11 @@ void TimedCosts::refresh(const QueueForecast& forecast, const Residuals& residua
 
   const Digraph& turns = graph_.turns();
   std::vector<double> slower(road_times_.size());  // s above free flow, by road
-  std::vector<bool> is_closed(turns.vertex_count());
+  std::vector<bool> is_closed(turns.arc_count());
   for (const RoadId road : conditions.roads()) {
     slower[road.value] = std::max(0.0, conditions.crossing(road) - to_seconds(road_times_[road]));
-    const VertexId vertex = graph_.vertex(road);
-    if (vertex.valid()) is_closed[vertex.value] = conditions.closed(road, graph_.vehicle_class());
   }
+  for (const ArcId turn : conditions.closed_turns(graph_)) is_closed[turn.value] = true;
   std::vector<double> road_delay(bins);  // of the road that is left: one computation for all its turns
   for (std::size_t v = 0; v < turns.vertex_count(); ++v) {
     const auto out = turns.out(VertexId{v});
@@ -54,7 +53,7 @@ void TimedCosts::refresh(const QueueForecast& forecast, const Residuals& residua
       double junction = 0;
       for (const RoadId internal : graph_.junction_roads(arc.id)) junction += residuals[internal];
       std::int32_t* cost = costs_.data() + arc.id.value * nodes_;
-      if (is_closed[arc.end.value]) {
+      if (is_closed[arc.id.value]) {
         std::fill_n(cost, bins, static_cast<std::int32_t>(closed));
         continue;
       }

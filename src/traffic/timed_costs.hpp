@@ -17,7 +17,7 @@ class TimedCosts {
  public:
   TimedCosts(const Network& network, const RoadGraph& graph);
 
-  /// What it costs to turn into a road that is closed.
+  /// What a turn costs that is closed.
   static constexpr Millis closed = 100'000'000;
 
   /// From a forecast made at `now`.
