@@ -86,6 +86,9 @@ class ForecastStrategy : public Strategy {
       decide_one(*traffic[due[i].vehicle_class].graph, classes_[due[i].vehicle_class], due[i],
                  scratch_[worker], decisions[i]);
     });
+  }
+
+  void applied(std::span<const Traveller> due, std::span<const Decision> decisions) override {
     for (std::size_t i = 0; i < due.size(); ++i) {
       model_->hindsight.decided(due[i].vehicle, now_, due[i].arrival(now_, decisions[i].old_cost),
                                 due[i].arrival(now_, decisions[i].new_cost), decisions[i].change);
@@ -153,6 +156,7 @@ class ForecastStrategy : public Strategy {
     const Millis driven = static_cast<Millis>(
         traveller.driven * static_cast<double>(costs.road_time(graph.road(traveller.route.front()))));
     const Millis start = now_ + std::max<Millis>(0, traveller.until_route) - driven;
+    decision.entered = start;
     const Millis last = costs.road_time(graph.road(traveller.route.back()));
     const Millis old_arrival = drive(turns, costs, traveller.route, start);
     decision.old_cost = old_arrival >= infinity ? infinity : old_arrival - start + last;

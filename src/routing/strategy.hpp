@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,6 +48,8 @@ struct Decision {
   std::vector<VertexId> route{};  ///< the best way found, from the same first road; empty: there is none
   Millis old_cost = 0;
   Millis new_cost = 0;  ///< of `route`
+  /// When it entered route.front(), where the strategy knows better than Traveller::until_route.
+  std::optional<Millis> entered{};
 };
 
 /// When a traveller gives up its way for a better one: the gain must exceed
@@ -87,6 +90,9 @@ class Strategy {
   /// decisions[i] belongs to due[i]. The result does not depend on the number of threads.
   virtual void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
                       std::vector<Decision>& decisions) = 0;
+  /// After `decide`: what came of it. `change` is false where SUMO refused a route or a driver did not
+  /// follow.
+  virtual void applied(std::span<const Traveller> /*due*/, std::span<const Decision> /*decisions*/) {}
 };
 
 struct StrategyOptions {
