@@ -13,7 +13,9 @@
 #include "network/lane_changes.hpp"
 #include "report/comparison.hpp"
 #include "report/decisions.hpp"
+#include "report/gap.hpp"
 #include "report/table.hpp"
+#include "simulation/agenda.hpp"
 #include "simulation/control.hpp"
 #include "simulation/run_folder.hpp"
 #include "simulation/sumo_module.hpp"
@@ -24,14 +26,15 @@ namespace thalweg {
 namespace {
 
 /// Who waits for a person or a container counts from `begin` on.
-std::vector<DemandedTrip> demanded(const Demand& demand, Millis begin) {
+std::vector<DemandedTrip> demanded(const Demand& demand, Millis begin, double share) {
   std::vector<DemandedTrip> trips;
   trips.reserve(demand.vehicles.size());
   for (const DemandVehicle& vehicle : demand.vehicles) {
     trips.push_back({.id = vehicle.id,
                      .depart = vehicle.depart.value_or(begin),
                      .fixed = vehicle.fixed,
-                     .destination = vehicle.destination});
+                     .destination = vehicle.destination,
+                     .equipped = is_equipped(vehicle, share)});
   }
   return trips;
 }
@@ -58,6 +61,7 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   ControlOptions control_with = control_options(options);
   control_with.lane_changes =
       read_lane_changes(file_list(project.settings.find("additional-files").value_or("")), project.network);
+  control_with.seed = summary.seed;
   const std::string& decision_output = options.text("decision-output");
   std::optional<DecisionOutput> decisions;  // opened before the work, so that a bad name costs no run
   if (!decision_output.empty()) {
@@ -87,10 +91,16 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   }
   summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   read_trips(folder.tripinfo,
-             demanded(project.demand, parse_time(project.settings.find("begin").value_or("0")).value_or(0)),
+             demanded(project.demand, parse_time(project.settings.find("begin").value_or("0")).value_or(0),
+                      control_with.share),
              result.end, summary);
   read_statistics(folder.statistics, summary);
   if (arm.ours) summary.reroutes = result.reroutes;
+  summary.ignored = result.ignored;
+  summary.forecast_error = result.forecast_error;
+  summary.gap = relative_gap(folder.routes, folder.edge_data, project.network, project.demand);
+  // What only we asked for is not kept.
+  if (!project.settings.find("vehroute-output")) std::filesystem::remove(folder.routes);
   summary.router_cpu_s = arm.ours ? result.router_cpu_s : 0;
   summary.simulation_cpu_s = result.simulation_cpu_s;
   if (decisions) decisions->write(project.network, project.demand, result);

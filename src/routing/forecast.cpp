@@ -85,6 +85,9 @@ class ForecastStrategy : public Strategy {
       if (manners_.books)
         book(traffic, due.subspan(first, count), std::span(decisions).subspan(first, count));
     }
+  }
+
+  void applied(std::span<const Traveller> due, std::span<const Decision> decisions) override {
     const Millis now = foresight_->now();
     for (std::size_t i = 0; i < due.size(); ++i) {
       const Decision& decision = decisions[i];
@@ -169,7 +172,7 @@ class ForecastStrategy : public Strategy {
     const Millis begin = start(graph, costs, traveller);
     const Millis last = crossing_of(graph, costs, traveller.route.back());
     const Drive old = drive(turns, costs, traveller.route, begin, [](std::size_t, Millis) {});
-    decision.delay = begin - foresight_->now() - traveller.until_route;
+    decision.entered = begin;
     decision.old_cost = old.arrival >= infinity ? infinity : old.arrival - begin + last;
     decision.new_cost = decision.old_cost;
     // Only ways that the rule would take are searched for: mostly there is none, which is seen soon.

@@ -70,6 +70,10 @@ class MemoryStrategy : public Strategy {
     }
   }
 
+  void applied(std::span<const Traveller> /*due*/, std::span<const Decision> decisions) override {
+    forecast_->applied(travellers_, decisions);
+  }
+
   void remember(Memory& memory) override {
     if (!lived_) return;
     std::vector<RememberedTrip> trips;

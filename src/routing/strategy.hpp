@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,12 +44,13 @@ struct Decision {
   std::vector<VertexId> route{};  ///< the best way found, from the same first road; empty: there is none
   Millis old_cost = 0;
   Millis new_cost = 0;  ///< of `route`
-  Millis delay = 0;     ///< until it enters route.front(), beyond Traveller::until_route
+  /// When it entered route.front(), where the strategy knows better than Traveller::until_route.
+  std::optional<Millis> entered{};
 };
 
 /// When a traveller arrives that decides at `now` for a way of this cost.
 inline Millis arrival(const Traveller& traveller, const Decision& decision, Millis now, Millis cost) {
-  return add_saturating(now + traveller.until_route + decision.delay, cost);
+  return add_saturating(decision.entered.value_or(now + traveller.until_route), cost);
 }
 
 /// When a traveller gives up its way for a better one: the gain must exceed
@@ -92,6 +94,9 @@ class Strategy {
                       std::vector<Decision>& decisions) = 0;
   /// At the end of a run: what it has lived goes into the memory.
   virtual void remember(Memory& /*memory*/) {}
+  /// After `decide`: what came of it. `change` is false where SUMO refused a route or a driver did not
+  /// follow.
+  virtual void applied(std::span<const Traveller> /*due*/, std::span<const Decision> /*decisions*/) {}
 };
 
 struct StrategyOptions {

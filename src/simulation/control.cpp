@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/control.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <ctime>
@@ -64,6 +66,7 @@ class Controller {
         conditions_(network, options.lane_changes),
         fleet_(demand),
         programmes_(network.signals.size()),
+        ledger_(demand.vehicles.size(), result.forecast_error),
         last_questions_(demand.vehicles.size()) {
     for (const DemandVehicle& vehicle : demand.vehicles) {
       auto& index = class_index_[static_cast<std::size_t>(vehicle.vehicle_class)];
@@ -94,6 +97,7 @@ class Controller {
     for (const VehicleId vehicle : simulation_.events().arrived) {
       agenda_.on_arrived(vehicle);
       fleet_.on_arrived(vehicle);
+      ledger_.arrived(vehicle, simulation_.now());
     }
     if (conditions_.advance(simulation_.now())) {  // another world: everybody is asked again, now
       next_adaptation_ = simulation_.now();
@@ -127,6 +131,7 @@ class Controller {
 
   void watch(std::span<const Observation> observations) {
     fleet_.on_observed(network_, observations);
+    find_lost(observations);
     changed_signals_.clear();
     for (std::size_t i = 0; i < programmes_.size(); ++i) {
       const SignalId signal{i};
@@ -146,6 +151,15 @@ class Controller {
                      .changed_signals = changed_signals_});
   }
 
+  /// Those that a rerouter of SUMO's sent another way are seen again after the next look.
+  void find_lost(std::span<const Observation> observations) {
+    for (const Observation& seen : observations) {
+      if (!seen.vehicle.valid() || !fleet_[seen.vehicle].is_lost) continue;
+      const Plan plan = simulation_.plan(seen.vehicle);
+      if (!plan.route.empty()) fleet_.on_plan(seen.vehicle, plan.route);
+    }
+  }
+
   void decide() {
     travellers_.clear();
     plans_.clear();
@@ -159,11 +173,13 @@ class Controller {
     strategy_.decide(traffic_, travellers_, decisions_);
     result_.decisions += travellers_.size();
     for (std::size_t i = 0; i < travellers_.size(); ++i) apply(travellers_[i], plans_[i], decisions_[i]);
+    strategy_.applied(travellers_, decisions_);
   }
 
   void add_traveller(VehicleId vehicle) {
     Plan plan = simulation_.plan(vehicle);
     if (!plan.can_change || plan.committed >= plan.route.size()) return;
+    if (strategy_.looks_ahead()) fleet_.on_plan(vehicle, plan.route);
     const DemandVehicle& wanted = demand_.vehicles[vehicle];
     Traveller traveller;
     traveller.vehicle = vehicle;
@@ -204,16 +220,9 @@ class Controller {
         time = std::max(time, from_seconds(conditions_.crossing(road)));
       }
       turn_costs(*traffic.graph, traffic.road_times, traffic.turn_costs);
-      for (const RoadId road : conditions_.roads()) close(road, traffic);
+      for (const ArcId turn : conditions_.closed_turns(*traffic.graph))
+        traffic.turn_costs[turn.value] = infinity;
     }
-  }
-
-  /// Nobody turns into a road that is closed; who is on it may leave.
-  void close(RoadId road, ClassTraffic& traffic) const {
-    const RoadGraph& graph = *traffic.graph;
-    const VertexId vertex = graph.vertex(road);
-    if (!vertex.valid() || !conditions_.closed(road, graph.vehicle_class())) return;
-    for (const Arc& turn : graph.turns().in(vertex)) traffic.turn_costs[turn.id.value] = infinity;
   }
 
   [[nodiscard]] Millis until_route(std::size_t i) const {
@@ -240,24 +249,49 @@ class Controller {
     for (const VertexId vertex : decision.route) route.push_back(graph.road(vertex));
     // SUMO may end a vehicle at once that is told to drive from its road back to the same road (13628).
     if (decision.change && route.front() == route.back()) decision.change = false;
+    if (decision.change && !follows(traveller.vehicle)) {
+      decision.change = false;
+      ++result_.ignored;
+    }
     if (decision.change) {
       decision.change = simulation_.assign(traveller.vehicle, route);
       ++(decision.change ? result_.reroutes : result_.refused);
       if (decision.change && strategy_.looks_ahead()) fleet_.on_route(traveller.vehicle, route);
     }
+    predict(traveller, decision);
     if (options_.log_decisions) log(traveller, decision);
+  }
+
+  /// Drawn for each vehicle and moment: the same in every run with this seed, whatever the threads.
+  [[nodiscard]] bool follows(VehicleId vehicle) const {
+    if (options_.compliance >= 1) return true;
+    return unit_hash(fmt::format("{}#{}#{}", demand_.vehicles[vehicle].id, simulation_.now(),
+                                 options_.seed)) < options_.compliance;
+  }
+
+  /// When it arrives on the way that was chosen.
+  [[nodiscard]] Millis predicted_arrival(const Traveller& traveller, const Decision& decision) const {
+    const Millis cost = decision.change ? decision.new_cost : decision.old_cost;
+    return arrival(traveller, decision, simulation_.now(), cost);
+  }
+
+  void predict(const Traveller& traveller, const Decision& decision) {
+    if (decision.change) ledger_.changed_way(traveller.vehicle);
+    const auto& way = decision.change ? decision.route : traveller.route;
+    const Millis measured = route_cost(traffic_[traveller.vehicle_class], way);
+    ledger_.predicted(traveller.vehicle, simulation_.now(), predicted_arrival(traveller, decision),
+                      arrival(traveller, {}, simulation_.now(), measured));
   }
 
   void log(const Traveller& traveller, const Decision& decision) {
     const RoadGraph& graph = *graphs_[traveller.vehicle_class];
-    const Millis cost = decision.change ? decision.new_cost : decision.old_cost;
     LoggedDecision entry{.time = simulation_.now(),
                          .vehicle = traveller.vehicle,
                          .old_route = {},
                          .new_route = {},
                          .old_cost = decision.old_cost,
                          .new_cost = decision.new_cost,
-                         .predicted_arrival = arrival(traveller, decision, simulation_.now(), cost)};
+                         .predicted_arrival = predicted_arrival(traveller, decision)};
     for (const VertexId vertex : traveller.route) entry.old_route.push_back(graph.road(vertex));
     if (decision.change) {
       for (const VertexId vertex : decision.route) entry.new_route.push_back(graph.road(vertex));
@@ -277,6 +311,7 @@ class Controller {
   Conditions conditions_;
   Fleet fleet_;  ///< kept for those who look ahead
   IdVector<SignalId, SignalProgramme> programmes_;
+  PredictionLedger ledger_;
   IdVector<VehicleId, Question> last_questions_;
   std::vector<SignalId> changed_signals_;
   Millis next_sample_ = 0;

@@ -34,6 +34,8 @@ class Fleet {
   void on_arrived(VehicleId vehicle);
   /// It drives this from route[position] on.
   void on_route(VehicleId vehicle, std::span<const RoadId> rest);
+  /// What it drives from where it is on, as SUMO has it: another way where somebody else re-routed it.
+  void on_plan(VehicleId vehicle, std::span<const RoadId> rest);
   /// The vehicles on the roads now. Those not among them are lost until they are seen again.
   void on_observed(const Network& network, std::span<const Observation> observations);
 

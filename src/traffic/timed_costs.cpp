@@ -35,12 +35,10 @@ void TimedCosts::refresh(const Expectation& expected, RoadId road) {
 
 void TimedCosts::take_conditions(const Conditions& conditions) {
   slower_.assign(road_times_.size(), 0);
-  is_closed_.assign(graph_.turns().vertex_count(), false);
-  for (const RoadId road : conditions.roads()) {
+  is_closed_.assign(graph_.turns().arc_count(), false);
+  for (const RoadId road : conditions.roads())
     slower_[road.value] = std::max(0.0, conditions.crossing(road) - to_seconds(road_times_[road]));
-    const VertexId vertex = graph_.vertex(road);
-    if (vertex.valid()) is_closed_[vertex.value] = conditions.closed(road, graph_.vehicle_class());
-  }
+  for (const ArcId turn : conditions.closed_turns(graph_)) is_closed_[turn.value] = true;
 }
 
 void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
@@ -67,7 +65,7 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
   }
   for (const Arc& arc : out) {
     std::int32_t* cost = costs_.data() + arc.id.value * nodes_;
-    if (is_closed_[arc.end.value]) {
+    if (is_closed_[arc.id.value]) {
       std::fill_n(cost, nodes_, static_cast<std::int32_t>(closed));
       continue;
     }

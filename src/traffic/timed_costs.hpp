@@ -29,7 +29,7 @@ class TimedCosts {
  public:
   TimedCosts(const Network& network, const RoadGraph& graph);
 
-  /// What it costs to turn into a road that is closed.
+  /// What a turn costs that is closed.
   static constexpr Millis closed = 100'000'000;
 
   /// From a forecast made at `now`.
@@ -70,7 +70,7 @@ class TimedCosts {
   std::vector<std::int32_t> tolls_;  ///< ms, by road and bin
   std::vector<double> fading_;       ///< of passing residuals, by bin
   std::vector<double> slower_;       ///< s above free flow, by road
-  std::vector<bool> is_closed_;      ///< by vertex
+  std::vector<bool> is_closed_;      ///< by turn
   std::vector<double> delay_;        ///< scratch: s at one road, by bin
 };
 
