@@ -35,11 +35,6 @@ struct Traveller {
   double driven = 0;                ///< share of route.front() that lies behind it
   double patience = 0;              ///< in [0, 1), by a hash of its name; above: it has reasons to stay
   bool departed = true;
-
-  /// When it arrives that decides at `now` for a way of this cost.
-  [[nodiscard]] Millis arrival(Millis now, Millis cost) const {
-    return add_saturating(now, add_saturating(until_route, cost));
-  }
 };
 
 /// What was decided for a traveller. Costs run from entering route.front() to the end of the last road.
@@ -48,7 +43,13 @@ struct Decision {
   std::vector<VertexId> route{};  ///< the best way found, from the same first road; empty: there is none
   Millis old_cost = 0;
   Millis new_cost = 0;  ///< of `route`
+  Millis delay = 0;     ///< until it enters route.front(), beyond Traveller::until_route
 };
+
+/// When a traveller arrives that decides at `now` for a way of this cost.
+inline Millis arrival(const Traveller& traveller, const Decision& decision, Millis now, Millis cost) {
+  return add_saturating(now + traveller.until_route + decision.delay, cost);
+}
 
 /// When a traveller gives up its way for a better one: the gain must exceed
 /// (relative + spread * patience) of the time left, and `absolute`; before departure, when turning costs

@@ -257,7 +257,7 @@ class Controller {
                          .new_route = {},
                          .old_cost = decision.old_cost,
                          .new_cost = decision.new_cost,
-                         .predicted_arrival = traveller.arrival(simulation_.now(), cost)};
+                         .predicted_arrival = arrival(traveller, decision, simulation_.now(), cost)};
     for (const VertexId vertex : traveller.route) entry.old_route.push_back(graph.road(vertex));
     if (decision.change) {
       for (const VertexId vertex : decision.route) entry.new_route.push_back(graph.road(vertex));

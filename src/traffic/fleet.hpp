@@ -38,6 +38,7 @@ class Fleet {
   void on_observed(const Network& network, std::span<const Observation> observations);
 
   [[nodiscard]] const FleetVehicle& operator[](VehicleId vehicle) const { return vehicles_[vehicle]; }
+  [[nodiscard]] std::size_t size() const { return vehicles_.size(); }
   /// Those that are not away, in the order in which they were loaded.
   [[nodiscard]] std::span<const VehicleId> present() const { return present_; }
 
