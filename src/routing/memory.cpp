@@ -19,9 +19,9 @@ namespace {
 /// Share of the vehicles that look for a better way on a day, others each day. When all do, everybody's
 /// answer of today spoils what was learned yesterday; this is how day-to-day models come to rest (Cascetta
 /// 1989).
-constexpr double reconsidering = 0.15;
+constexpr double reconsidering = 0.3;
 /// Added to the patience of the others: they leave their way only when it has become far worse than another.
-constexpr double loyalty = 20;
+constexpr double loyalty = 5;
 
 /// Whether one can drive `route`, from road to road of the graph, by way of `waypoints`.
 bool leads(const Digraph& turns, std::span<const VertexId> route, std::span<const VertexId> waypoints) {
@@ -127,7 +127,7 @@ class MemoryStrategy : public Strategy {
     if (!leads(graph.turns(), route, traveller.waypoints) || route.front() != traveller.route.front()) return;
     traveller.route = std::move(route);
     is_loyal_[traveller.vehicle] =
-        unit_hash(fmt::format("{} {}", trip->vehicle, memory_->days)) >= reconsidering;
+        unit_hash(fmt::format("{} {}", trip->vehicle, memory_->days)) >= reconsidering ? 1 : 0;
   }
 
   const Memory* memory_;
