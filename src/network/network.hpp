@@ -21,7 +21,8 @@ struct Point {
 };
 using Shape = std::vector<Point>;
 
-enum class RoadFunction : std::uint8_t { normal, connector, internal, crossing, walking_area };
+/// `zone`: a road of no length that stands for where a zone's trips begin or end (network/zones.hpp).
+enum class RoadFunction : std::uint8_t { normal, connector, internal, crossing, walking_area, zone };
 
 struct Lane {
   RoadId road;
