@@ -14,6 +14,7 @@
 #include "demand/flow.hpp"
 #include "demand/vehicle_types.hpp"
 #include "network/read_network.hpp"
+#include "network/zones.hpp"
 #include "routing/trip_router.hpp"
 #include "xml/node.hpp"
 
@@ -27,13 +28,14 @@ Options route_options() {
       {"input", "from", 0, "STR", "", "Routes from this road"},
       {"input", "to", 0, "STR", "", "to this road"},
       {"input", "route-files", 'r', "FILE", "", "Routes these trips and flows; vehicles keep their routes"},
-      {"input", "additional-files", 'a', "FILE", "", "Vehicle types are read from these as well"},
+      {"input", "additional-files", 'a', "FILE", "", "Vehicle types and zones are read from these"},
       {"input", "weight-files", 'w', "FILE", "", "Travel times of the roads"},
       {"output", "output-file", 'o', "FILE", "", "The vehicles with their routes"},
       {"output", "write-costs", 0, "BOOL", "false", "Writes the cost of each route [s]"},
       {"time", "begin", 'b', "TIME", "0", "The time whose weights are used"},
       {"routing", "strategy", 0, "STR", "cch", "hybrid, evolved, cch or dijkstra"},
       {"routing", "vclass", 0, "STR", "passenger", "The class of trips without a type"},
+      {"random", "seed", 0, "INT", "23423", "What flows with random departures are drawn by"},
       {"processing", "ignore-errors", 0, "BOOL", "false", "Leaves out what cannot be routed, with a warning"},
       no_cache_option(),
       threads_option()};
@@ -85,7 +87,8 @@ class DemandRoute {
       : router_(router),
         options_(options),
         typeless_(typeless(options)),
-        ignore_errors_(options.flag("ignore-errors")) {}
+        ignore_errors_(options.flag("ignore-errors")),
+        seed_(options.count("seed")) {}
 
   void read_types(const std::string& file) {
     xml::read_nodes(file, [&](const xml::Node& node) {
@@ -99,9 +102,12 @@ class DemandRoute {
         if (is_type(node)) types_.add(node);
         definitions_.push_back(std::move(node));
       } else if (node.name == "flow") {
-        for (xml::Node& one : expand_flow(node)) take(std::move(one));
+        for (xml::Node& one : expand_flow(node, seed_)) take(std::move(one));
       } else if (node.name == "trip" || node.name == "vehicle") {
         take(std::move(node));
+      } else if (is_walking(node.name) && !needs_routing(node)) {
+        vehicles_.push_back({.node = std::move(node), .depart = 0, .trip = std::nullopt});
+        vehicles_.back().depart = depart_of(vehicles_.back().node);
       } else {
         give_up(node, "only vehicles, trips and flows of them are routed here: let duarouter do this");
       }
@@ -121,6 +127,7 @@ class DemandRoute {
     for (const xml::Node& definition : definitions_) write_node(writer, definition);
     for (const Vehicle& vehicle : vehicles_) write_vehicle(writer, vehicle);
     writer.commit();
+    if (left_out_ > 0) warn(fmt::format("{} left out: what is wrong with each is told above", left_out_));
   }
 
  private:
@@ -134,9 +141,30 @@ class DemandRoute {
     return node.name == "vType" || node.name == "vTypeDistribution";
   }
 
-  void give_up(const xml::Node& node, const std::string& problem) const {
+  static bool is_walking(std::string_view element) {
+    return element == "person" || element == "personFlow" || element == "container" ||
+           element == "containerFlow";
+  }
+
+  /// Some stage of the plan is not there yet, or is of a kind that is not known here.
+  static bool needs_routing(const xml::Node& person) {
+    return !std::all_of(person.children.begin(), person.children.end(), [](const xml::Node& stage) {
+      if (stage.name != "walk" && stage.name != "tranship")
+        return stage.name == "ride" || stage.name == "transport" || stage.name == "stop" ||
+               stage.name == "param";
+      return stage.find("edges") != nullptr || stage.find("route") != nullptr;
+    });
+  }
+
+  /// "triggered" and the like come first.
+  static Millis depart_of(const xml::Node& node) {
+    return parse_time(node.value_or("depart", node.value_or("begin", ""))).value_or(0);
+  }
+
+  void give_up(const xml::Node& node, const std::string& problem) {
     if (!ignore_errors_) throw node.error(problem);
     warn(node.error(problem).what());
+    ++left_out_;
   }
 
   void take(xml::Node node) {
@@ -144,13 +172,20 @@ class DemandRoute {
         std::any_of(node.children.begin(), node.children.end(),
                     [](const xml::Node& child) { return child.name.starts_with("route"); });
     Vehicle vehicle{.node = std::move(node), .depart = 0, .trip = std::nullopt};
-    vehicle.depart = parse_time(vehicle.node.value_or("depart", "")).value_or(0);  // "triggered": first
+    vehicle.depart = depart_of(vehicle.node);
     if (!has_route && vehicle.node.find("route") == nullptr) {
       const auto problem = add_trip(vehicle.node);
       if (!problem.empty()) return give_up(vehicle.node, problem);
       vehicle.trip = trips_++;
     }
     vehicles_.push_back(std::move(vehicle));
+  }
+
+  /// A road, or what stands for a zone; where both are named the road counts, as for duarouter.
+  static std::string end_of(const xml::Node& node, std::string_view road, std::string_view zone,
+                            std::string (*road_of)(std::string_view)) {
+    const bool is_zone = node.find(road) == nullptr && node.find(zone) != nullptr;
+    return is_zone ? road_of(node.require(zone)) : node.require(road);
   }
 
   /// What is wrong with it; the type of a distribution is put in its place.
@@ -162,7 +197,9 @@ class DemandRoute {
       type = *known;
       node.set("type", type.id);
     }
-    std::vector<std::string_view> roads{node.require("from")};
+    const std::string from = end_of(node, "from", "fromTaz", zone_source);
+    const std::string to = end_of(node, "to", "toTaz", zone_sink);
+    std::vector<std::string_view> roads{from};
     for (const auto via : split(node.value_or("via", ""), " ,")) roads.push_back(via);
     for (const xml::Node& child : node.children) {
       if (child.name != "stop") continue;
@@ -173,17 +210,21 @@ class DemandRoute {
       if (child.find("edge") == nullptr) road = road.substr(0, road.rfind('_'));
       if (std::find(roads.begin(), roads.end(), road) == roads.end()) roads.push_back(road);
     }
-    roads.push_back(node.require("to"));
-    return router_.add(type.vehicle_class, type.max_speed, roads);
+    roads.emplace_back(to);
+    std::string problem = router_.add(type.vehicle_class, type.max_speed, roads);
+    const bool has_zone = node.find("fromTaz") != nullptr || node.find("toTaz") != nullptr;
+    if (!problem.empty() && has_zone) problem += "; zones are read from additional-files";
+    return problem;
   }
 
-  void write_vehicle(xml::Writer& writer, const Vehicle& vehicle) const {
+  void write_vehicle(xml::Writer& writer, const Vehicle& vehicle) {
     const xml::Node& node = vehicle.node;
     if (!vehicle.trip) return write_node(writer, node);
     const auto found = router_.result(*vehicle.trip);
     if (!found) {
       return give_up(
-          node, fmt::format("there is no way from '{}' to '{}'", node.require("from"), node.require("to")));
+          node, fmt::format("there is no way from '{}' to '{}'", end_of(node, "from", "fromTaz", zone_source),
+                            end_of(node, "to", "toTaz", zone_sink)));
     }
     writer.open("vehicle");
     for (const auto& [name, value] : node.attributes) {
@@ -201,6 +242,8 @@ class DemandRoute {
   const Options& options_;
   DrivenType typeless_;
   bool ignore_errors_;
+  std::uint64_t seed_;
+  std::size_t left_out_ = 0;
   VehicleTypes types_;
   std::vector<xml::Node> definitions_;  ///< types and named routes, as they came
   std::vector<Vehicle> vehicles_;
@@ -221,6 +264,7 @@ Network load_network(const Options& options) {
   const Stage stage(fmt::format("Loading net-file from '{}'", options.text("net-file")));
   Network network = read_network(options.text("net-file"));
   for (const auto& warning : network.warnings) warn(warning);
+  for (const auto& file : file_list(options.text("additional-files"))) add_zones(file, network);
   return network;
 }
 

@@ -42,7 +42,7 @@ RoadGraph::RoadGraph(const Network& network, VehicleClass vehicle_class)
     : vehicle_class_(vehicle_class), vertices_(network.roads.size()) {
   for (std::size_t i = 0; i < network.roads.size(); ++i) {
     const Road& road = network.roads[RoadId{i}];
-    if (road.function != RoadFunction::normal) continue;
+    if (road.function != RoadFunction::normal && road.function != RoadFunction::zone) continue;
     vertices_[RoadId{i}] = roads_.push_back(RoadId{i});
     Permissions any = Permissions::none();
     for (std::uint32_t k = 0; k < road.lane_count; ++k) {

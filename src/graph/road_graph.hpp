@@ -10,10 +10,10 @@
 
 namespace thalweg {
 
-/// The net as one vehicle class may drive it: roads are vertices, turns are arcs. Every normal road is a
-/// vertex, also one that the class may not use (it has no turns). A turn is an arc for each different way
-/// through the junction, so there are parallel arcs where lanes lead to the same road by different internal
-/// roads.
+/// The net as one vehicle class may drive it: roads are vertices, turns are arcs. Every normal road (and
+/// what stands for a zone) is a vertex, also one that the class may not use (it has no turns). A turn is an
+/// arc for each different way through the junction, so there are parallel arcs where lanes lead to the same
+/// road by different internal roads.
 class RoadGraph {
  public:
   RoadGraph(const Network& network, VehicleClass vehicle_class);

@@ -67,6 +67,7 @@ std::optional<TripRouter::Found> TripRouter::result(std::size_t i) const {
   if (decisions_[i].route.empty()) return std::nullopt;
   Found found{.edges = {}, .cost = decisions_[i].new_cost};
   for (const VertexId vertex : decisions_[i].route) {
+    if (network_.roads[traffic.graph->road(vertex)].function == RoadFunction::zone) continue;
     if (!found.edges.empty()) found.edges += ' ';
     found.edges += id(vertex);
   }

@@ -24,8 +24,8 @@ class TripRouter {
   };
   TripRouter(const Network& network, Setting setting, std::unique_ptr<Strategy> strategy);
 
-  /// Adds a trip of a class and top speed (m/s) along these roads; what is wrong with it is returned, and
-  /// nothing when it is well.
+  /// Adds a trip of a class and top speed (m/s) along these roads (a zone's source and sink may be its ends);
+  /// what is wrong with it is returned, and nothing when it is well.
   std::string add(VehicleClass vehicle_class, double max_speed, std::span<const std::string_view> roads);
 
   void route() { strategy_->decide(traffic_, travellers_, decisions_); }

@@ -239,12 +239,60 @@ class BadInput(support.TestCase):
             self.assertFalse((self.place / "out.xml").exists())
         self.fails("did you mean 'island'|'island'", "route", "-n", net, "--from", "ilsand", "--to", "a")
 
+    def test_a_net_of_one_road(self):
+        """It is a net: there is one way, from the road to itself.
+
+             A ---> B
+        """
+        connection = re.search("    <connection.*\n", NET).group()
+        road_b = re.search('    <edge id="b"(.|\n)*?</edge>\n', NET).group()
+        net = self.net(NET.replace(connection, "").replace(road_b, "").replace('incLanes="b_0"', 'incLanes=""'))
+        self.succeeds("network", "-n", net)
+        trips = write_routes(self.place / "t.xml", ['<trip id="t" depart="0" from="a" to="a"/>'])
+        for strategy in ("cch", "dijkstra", "evolved", "hybrid"):
+            result = self.succeeds("route", "-n", net, "--from", "a", "--to", "a", "--strategy", strategy)
+            self.assertEqual(result.out, "a\ncost 10.000 s\n")
+            self.succeeds("route", "-n", net, "-r", trips, "-o", self.place / "o.xml", "--strategy", strategy)
+            self.assertEqual([v.find("route").get("edges") for v in support.read_xml(self.place / "o.xml")], ["a"])
+        for strategy in ("cch", "forecast"):
+            self.succeeds("run", "-n", net, "-r", trips, "-o", self.place / strategy, "--strategy", strategy)
+            self.assertEqual(support.Run(self.place / strategy).summary["finished"], 1)
+
+    def test_a_net_that_falls_apart(self):
+        """Each part is routed by itself; what is asked across is named and counted, by every strategy."""
+        net = self.city()
+        trips = write_routes(self.place / "t.xml", [
+            '<trip id="one" depart="0" from="a" to="b"/>', '<trip id="other" depart="1" from="island" to="island"/>',
+            '<trip id="out" depart="2" from="a" to="island"/>', '<trip id="in" depart="3" from="island" to="b"/>'])
+        for strategy in ("cch", "dijkstra", "evolved", "hybrid"):
+            result = self.succeeds("route", "-n", net, "-r", trips, "-o", self.place / "o.xml", "--ignore-errors",
+                                   "--strategy", strategy)
+            self.assertEqual({v.get("id"): v.find("route").get("edges") for v in support.read_xml(self.place / "o.xml")},
+                             {"one": "a b", "other": "island"})
+            self.assertIn("there is no way from 'a' to 'island'", result.err)
+            self.assertIn("there is no way from 'island' to 'b'", result.err)
+            self.assertIn("Warning: 2 left out", result.err)
+
+    def test_zones(self):
+        net = self.city()
+        for zone, pattern in (('<taz id="z" edges="a atlantis"/>', r"z\.xml:2: <taz id='z'>: .*'atlantis'"),
+                              ('<taz id="z"><tazSink id="atlantis" weight="1"/></taz>', "'atlantis'"),
+                              ('<taz id="z"/><taz id="z"/>', "'z-source' already"), ("<taz/>", "'id' is missing")):
+            zones = write(self.place / "z.xml", f"<additional>\n{zone}</additional>")
+            self.fails(pattern, "route", "-n", net, "-a", zones, "--from", "a", "--to", "b")
+
     def test_weights(self):
         net = self.net(NET)
         for text, pattern in (('<d><interval begin="0" end="9">\n<edge id="x" traveltime="1"/></interval></d>',
                                r"w\.xml:2: <edge id='x'>"),
                               ('<d><interval begin="0" end="9">\n<edge id="a" traveltime="-1"/></interval></d>',
                                r"w\.xml:2: <edge id='a'>: .*negative"),
+                              ('<d><interval begin="0" end="9">\n<edge id="a" traveltime="NaN"/></interval></d>',
+                               r"w\.xml:2: <edge id='a'>: .*NaN"),
+                              ('<d><interval begin="0" end="9">\n<edge id="a" traveltime="inf"/></interval></d>',
+                               r"w\.xml:2: <edge id='a'>: .*inf"),
+                              ('<d><interval begin="0" end="9">\n<edge id="a" traveltime="soon"/></interval></d>',
+                               r"w\.xml:2: <edge id='a'>: .*soon"),
                               ('<d><interval begin="5" end="9"/></d>', r"w\.xml.*no interval"),
                               ('<d><interval begin="soon" end="9"/></d>', r"w\.xml:1: <interval>: .*soon")):
             weights = write(self.place / "w.xml", text)

@@ -15,10 +15,12 @@ def vehicles_of(file):
 
 
 class RouteDemand(support.TestCase):
-    def both(self, net, demand, *options):
+    def both(self, net, demand, *options, additional=()):
         folder = self.folder()
+        options += tuple(additional)
         run_tool("duarouter", "-n", net, "-r", demand, "-o", folder / "theirs.xml", "--alternatives-output", "NUL",
-                 "--write-costs", "--ignore-errors", "--no-step-log", "--no-warnings", "--junction-taz", "false", *OPTIONS)
+                 "--write-costs", "--ignore-errors", "--no-step-log", "--no-warnings", "--junction-taz", "false", *OPTIONS,
+                 *additional)
         self.succeeds("route", "-n", net, "-r", demand, "-o", folder / "ours.xml.gz", "--write-costs", "--ignore-errors",
                       *OPTIONS, *options)
         with gzip.open(folder / "ours.xml.gz", "rb") as packed:
@@ -45,6 +47,71 @@ class RouteDemand(support.TestCase):
         </routes>""")
         self.assert_same(*self.both(net, demand), 15)
 
+    def test_zones(self):
+        """From and to zones: the best pair of their roads, whatever the weights; a road that is named wins."""
+        net, folder = make_grid(self.folder()), self.folder()
+        zones = write(folder / "z.taz.xml", """<additional><taz id="east" edges="D4E4 D2E2"/>
+            <taz id="west"><tazSource id="A0B0" weight="1"/><tazSource id="A1B1" weight="0"/>
+                <tazSource id="A4B4" weight="100"/><tazSink id="B0A0" weight="1"/></taz></additional>""")
+        demand = write(folder / "d.rou.xml", """<routes><flow id="f" end="10" number="3" fromTaz="west" toTaz="east"/>
+            <trip id="to" depart="11" fromTaz="west" to="B0A0"/>
+            <trip id="via" depart="12" from="A2B2" toTaz="east" via="C2C3"/>
+            <trip id="back" depart="13" fromTaz="east" toTaz="west"/>
+            <trip id="named" depart="14" fromTaz="west" from="C1C2" to="B4C4" toTaz="west"/></routes>""")
+        for strategy in ("cch", "dijkstra", "evolved"):
+            ours, theirs = self.both(net, demand, "--strategy", strategy, additional=("-a", zones))
+            self.assert_same(ours, theirs, 6)
+        bad = write(folder / "d.rou.xml", '<routes>\n<trip id="t" depart="0" fromTaz="south" to="A0B0"/></routes>')
+        result = support.thalweg("route", "-n", net, "-r", bad, "-a", zones, "-o", folder / "o.xml")
+        self.assertEqual(result.exit, 1)
+        self.assertRegex(result.err, r"d\.rou\.xml:2: <trip id='t'>: .*'south-source'.*additional-files")
+
+    def test_random_flows(self):
+        """As many as duarouter draws, give or take what chance does (5 standard deviations of a difference)."""
+        net, folder = make_grid(self.folder()), self.folder()
+        demand = write(folder / "d.rou.xml", """<routes>
+            <flow id="p" begin="5" end="3005" probability="0.3" from="A0B0" to="B0C0"/>
+            <flow id="e" begin="5" end="3005" period="exp(0.3)" from="A0B0" to="B0C0"/></routes>""")
+        counts = []
+        for vehicles in self.both(net, demand):
+            for flow, variance in (("p", 630), ("e", 900)):
+                own = sorted(depart for name, (depart, _, _) in vehicles.items() if name.startswith(flow))
+                counts.append((len(own), (2 * variance) ** 0.5))
+                self.assertGreaterEqual(own[0], 5)
+                self.assertTrue(all(depart % 1 == 0 for depart in own) or flow == "e")
+        for (ours, spread), (theirs, _) in zip(counts[:2], counts[2:]):
+            self.assertLess(abs(ours - theirs), 5 * spread)
+        texts = []
+        for i, seed in enumerate((1, 1, 2)):
+            self.succeeds("route", "-n", net, "-r", demand, "-o", folder / f"{i}.xml", "--seed", seed)
+            texts.append(support.without_comments(folder / f"{i}.xml"))
+        self.assertEqual(texts[0], texts[1])
+        self.assertNotEqual(texts[0], texts[2])
+
+    def test_persons_and_containers(self):
+        """A plan that is complete stays as it is, in its place; one that must be routed is refused."""
+        net, folder = make_grid(self.folder()), self.folder()
+        demand = write(folder / "d.rou.xml", """<routes>
+            <trip id="late" depart="20" from="A0B0" to="B0C0"/>
+            <person id="p" depart="10"><walk edges="A0B0 B0C0"/><ride from="B0C0" to="C0D0" lines="ANY"/></person>
+            <containerFlow id="c" begin="5" number="2" period="9"><tranship edges="A0B0"/></containerFlow></routes>""")
+        self.succeeds("route", "-n", net, "-r", demand, "-o", folder / "o.xml")
+        written = [element for element in read_xml(folder / "o.xml")]
+        self.assertEqual([element.get("id") for element in written], ["c", "p", "late"])
+        self.assertEqual([(stage.tag, stage.get("edges")) for stage in written[1]],
+                         [("walk", "A0B0 B0C0"), ("ride", None)])
+        run_tool("sumo", "-n", net, "-r", folder / "o.xml", "--end", 30)  # it is what SUMO reads
+
+    def test_what_is_left_out_is_counted(self):
+        net, folder = make_grid(self.folder()), self.folder()
+        demand = write(folder / "d.rou.xml", """<routes><trip id="good" depart="0" from="A0B0" to="B0C0"/>
+            <trip id="x" depart="0" from="A0B0" to="atlantis"/><person id="p" depart="0"><personTrip to="A0B0"/></person>
+            </routes>""")
+        result = self.succeeds("route", "-n", net, "-r", demand, "-o", folder / "o.xml", "--ignore-errors")
+        self.assertIn("atlantis", result.err)
+        self.assertIn("Warning: 2 left out", result.err)
+        self.assertEqual([v.get("id") for v in read_xml(folder / "o.xml")], ["good"])
+
     def test_luxembourg(self):
         city = City("luxembourg")
         ours, theirs = self.both(city.net, city.net.parent / "demand.0.4.trips.xml", "--threads", 2)
@@ -65,10 +132,11 @@ class RouteDemand(support.TestCase):
 
     def test_what_is_not_routed_is_named(self):
         net, folder = make_grid(self.folder()), self.folder()
-        for bad, words in (('<person id="p" depart="0"/>', "duarouter"),
+        for bad, words in (('<person id="p" depart="0"><personTrip from="A0B0" to="B0C0"/></person>', "duarouter"),
+                           ('<container id="c" depart="0"><tranship from="A0B0" to="B0C0"/></container>', "duarouter"),
                            ('<trip id="t" type="odd" depart="0" from="A0B0" to="B0C0"/>', "'odd' is not known"),
                            ('<flow id="f" from="A0B0" to="B0C0"/>', "no end"),
-                           ('<flow id="f" end="9" probability="0.1" from="A0B0" to="B0C0"/>', "random")):
+                           ('<flow id="f" end="9" probability="1.1" from="A0B0" to="B0C0"/>', "above 1")):
             demand = write(folder / "d.rou.xml", f"<routes>\n{bad}\n</routes>")
             result = support.thalweg("route", "-n", net, "-r", demand, "-o", folder / "o.xml")
             self.assertEqual(result.exit, 1)
