@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <ctime>
-#include <memory>
 #include <optional>
 
 #include "core/hash.hpp"
 #include "simulation/agenda.hpp"
+#include "simulation/live_traffic.hpp"
 #include "traffic/conditions.hpp"
 
 namespace thalweg {
@@ -67,19 +66,8 @@ class Controller {
         fleet_(demand),
         programmes_(network.signals.size()),
         ledger_(demand.vehicles.size(), result.forecast_error),
-        last_questions_(demand.vehicles.size()) {
-    for (const DemandVehicle& vehicle : demand.vehicles) {
-      auto& index = class_index_[static_cast<std::size_t>(vehicle.vehicle_class)];
-      if (vehicle.fixed || index) continue;
-      index = graphs_.size();
-      graphs_.push_back(std::make_unique<RoadGraph>(network, vehicle.vehicle_class));
-      const double max_speed = default_max_speed(vehicle.vehicle_class);
-      traffic_.push_back(
-          {.graph = graphs_.back().get(),
-           .free_flow = free_flow_times(network, vehicle.vehicle_class, max_speed, options.penalties),
-           .road_times = {},
-           .turn_costs = {}});
-    }
+        last_questions_(demand.vehicles.size()),
+        traffic_(network, demand, options.penalties) {
     next_sample_ = simulation.now();
   }
 
@@ -113,7 +101,7 @@ class Controller {
       next_sample_ += sample_interval_;  // not from now on: steps of 0.3 s would make 1.2 s of 1 s
     }
     if (simulation_.now() >= next_adaptation_) {
-      fresh_.assign(traffic_.size(), false);
+      traffic_.expire();
       ++news_;
       next_adaptation_ = simulation_.now() + options_.adaptation_interval;
     }
@@ -168,9 +156,10 @@ class Controller {
       add_traveller(vehicle);
     }
     if (travellers_.empty()) return;
-    refresh_traffic();
+    for (const Traveller& traveller : travellers_)
+      traffic_.refresh(traveller.vehicle_class, measured_, conditions_);
     for (std::size_t i = 0; i < travellers_.size(); ++i) travellers_[i].until_route = until_route(i);
-    strategy_.decide(traffic_, travellers_, decisions_);
+    strategy_.decide(traffic_.all(), travellers_, decisions_);
     result_.decisions += travellers_.size();
     for (std::size_t i = 0; i < travellers_.size(); ++i) apply(travellers_[i], plans_[i], decisions_[i]);
     strategy_.applied(travellers_, decisions_);
@@ -183,11 +172,11 @@ class Controller {
     const DemandVehicle& wanted = demand_.vehicles[vehicle];
     Traveller traveller;
     traveller.vehicle = vehicle;
-    traveller.vehicle_class = *class_index_[static_cast<std::size_t>(wanted.vehicle_class)];
+    traveller.vehicle_class = traffic_.index_of(wanted.vehicle_class);
     traveller.patience = unit_hash(wanted.id);
     traveller.departed = agenda_.departed(vehicle);
     traveller.driven = plan.committed == 1 ? plan.driven : 0;
-    const RoadGraph& graph = *graphs_[traveller.vehicle_class];
+    const RoadGraph& graph = traffic_.graph(traveller.vehicle_class);
     const std::size_t first = plan.committed - 1;
     for (std::size_t i = first; i < plan.route.size(); ++i) {
       const VertexId vertex = graph.vertex(plan.route[i]);
@@ -208,23 +197,6 @@ class Controller {
     plans_.push_back(std::move(plan));
   }
 
-  /// Brings the costs of the classes that are asked for up to the last sample, once an adaptation interval.
-  void refresh_traffic() {
-    for (const Traveller& traveller : travellers_) {
-      if (fresh_[traveller.vehicle_class]) continue;
-      fresh_[traveller.vehicle_class] = true;
-      ClassTraffic& traffic = traffic_[traveller.vehicle_class];
-      measured_.live(traffic.free_flow, traffic.road_times);
-      for (const RoadId road : conditions_.roads()) {
-        Millis& time = traffic.road_times[road];
-        time = std::max(time, from_seconds(conditions_.crossing(road)));
-      }
-      turn_costs(*traffic.graph, traffic.road_times, traffic.turn_costs);
-      for (const ArcId turn : conditions_.closed_turns(*traffic.graph))
-        traffic.turn_costs[turn.value] = infinity;
-    }
-  }
-
   [[nodiscard]] Millis until_route(std::size_t i) const {
     const Plan& plan = plans_[i];
     Millis until_depart = 0;
@@ -239,7 +211,7 @@ class Controller {
   }
 
   void apply(const Traveller& traveller, const Plan& plan, Decision& decision) {
-    const RoadGraph& graph = *graphs_[traveller.vehicle_class];
+    const RoadGraph& graph = traffic_.graph(traveller.vehicle_class);
     const bool has_way = !decision.route.empty();
     last_questions_[traveller.vehicle] = {
         .from = plan.route[plan.committed - 1], .news = news_, .had_answer = has_way};
@@ -284,7 +256,7 @@ class Controller {
   }
 
   void log(const Traveller& traveller, const Decision& decision) {
-    const RoadGraph& graph = *graphs_[traveller.vehicle_class];
+    const RoadGraph& graph = traffic_.graph(traveller.vehicle_class);
     LoggedDecision entry{.time = simulation_.now(),
                          .vehicle = traveller.vehicle,
                          .old_route = {},
@@ -313,14 +285,11 @@ class Controller {
   IdVector<SignalId, SignalProgramme> programmes_;
   PredictionLedger ledger_;
   IdVector<VehicleId, Question> last_questions_;
+  LiveTraffic traffic_;
   std::vector<SignalId> changed_signals_;
   Millis next_sample_ = 0;
   Millis next_adaptation_ = 0;
   std::uint32_t news_ = 0;  ///< how often there was something new to decide by
-  std::array<std::optional<std::size_t>, 64> class_index_;
-  std::vector<std::unique_ptr<RoadGraph>> graphs_;
-  std::vector<ClassTraffic> traffic_;
-  std::vector<bool> fresh_;  ///< the classes whose traffic is that of the last sample
   std::vector<VehicleId> due_;
   std::vector<Traveller> travellers_;
   std::vector<Plan> plans_;  ///< of the travellers
