@@ -39,6 +39,30 @@ std::vector<DemandedTrip> demanded(const Demand& demand, Millis begin, double sh
   return trips;
 }
 
+/// The routes driven, where what follows "--" names a file of its own for them.
+std::optional<std::filesystem::path> users_routes(const Options& options, const SumoOptions& catalogue) {
+  std::optional<std::filesystem::path> file;
+  const auto& arguments = options.for_sumo();
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const auto* option = catalogue.find_argument(arguments[i]);
+    if (option == nullptr || option->first != "vehroute-output") continue;
+    const auto equals = arguments[i].find('=');
+    if (equals != std::string::npos) file = arguments[i].substr(equals + 1);
+    if (equals == std::string::npos && i + 1 < arguments.size()) file = arguments[i + 1];
+  }
+  return file;
+}
+
+/// What only we asked for is not kept.
+void measure_gap(const Options& options, const Project& project, const RunFolder& folder,
+                 RunSummary& summary) {
+  const auto users = users_routes(options, project.catalogue);
+  const std::filesystem::path routes = users.value_or(folder.routes);
+  const bool is_xml = routes.string().ends_with(".xml") || routes.string().ends_with(".xml.gz");
+  if (is_xml) summary.gap = relative_gap(routes, folder.edge_data, project.network, project.demand);
+  if (!users && !project.settings.find("vehroute-output")) std::filesystem::remove(folder.routes);
+}
+
 void tell_end(const RunResult& result, Millis stall) {
   if (result.reason == StopReason::stalled) {
     warn(fmt::format("nothing has arrived for {} s: the run is stopped at {} s (see --stall)",
@@ -98,9 +122,7 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   if (arm.ours) summary.reroutes = result.reroutes;
   summary.ignored = result.ignored;
   summary.forecast_error = result.forecast_error;
-  summary.gap = relative_gap(folder.routes, folder.edge_data, project.network, project.demand);
-  // What only we asked for is not kept.
-  if (!project.settings.find("vehroute-output")) std::filesystem::remove(folder.routes);
+  measure_gap(options, project, folder, summary);
   summary.router_cpu_s = arm.ours ? result.router_cpu_s : 0;
   summary.simulation_cpu_s = result.simulation_cpu_s;
   if (decisions) decisions->write(project.network, project.demand, result);
