@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "traffic/conditions.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/ascii_network.hpp"
@@ -61,8 +62,7 @@ TEST(ConditionsTurns, ALaneThatIsBlockedClosesTheTurnsThatNeedIt) {
   const auto edge = [](const std::string& id, const char* from, const char* to, int lanes) {
     std::string text = "<edge id='" + id + "' from='" + from + "' to='" + to + "'>";
     for (int k = 0; k < lanes; ++k) {
-      const std::string index = std::to_string(k);
-      text += "<lane id='" + id + "_" + index + "' index='" + index + "' speed='10' length='100'/>";
+      text += fmt::format("<lane id='{0}_{1}' index='{1}' speed='10' length='100'/>", id, k);
     }
     return text + "</edge>";
   };

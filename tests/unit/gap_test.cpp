@@ -101,10 +101,10 @@ TEST_F(Gap, ARecordingThatIsNoneIsAnError) {
 TEST_F(Gap, RecordedTimesKeepTheOrderOfVehicles) {
   std::mt19937 draw(7);  // NOLINT(cert-msc51-cpp): the same each time
   for (int round = 0; round < 30; ++round) {
-    std::vector<std::string> intervals;
-    for (int i = 0; i < 6; ++i)
-      intervals.push_back(draw() % 4 == 0 ? ""
-                                          : fmt::format("AB {}", draw() % (draw() % 2 == 0 ? 60 : 5'000)));
+    std::vector<std::string> intervals(6);
+    for (std::string& interval : intervals) {
+      if (draw() % 4 != 0) interval = fmt::format("AB {}", draw() % (draw() % 2 == 0 ? 60 : 5'000));
+    }
     const RecordedTimes times(edge_data(intervals), net);
     Millis before = 0;
     for (Millis entry = 0; entry < 2'400'000; entry += 1'000) {

@@ -27,7 +27,7 @@ class Zones : public ::testing::Test {
     for (const auto* const name : {"dijkstra", "evolved", "cch"}) {
       TripRouter router(net, {}, make_strategy(name, {.rule = {.relative = 0, .spread = 0, .absolute = 0}}));
       const std::array<std::string_view, 2> ends{from, to};
-      const auto problem = router.add(vehicle_class, 100, ends);
+      auto problem = router.add(vehicle_class, 100, ends);
       if (!problem.empty()) return problem;
       router.route();
       const auto found = router.result(0);
