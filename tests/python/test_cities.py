@@ -43,7 +43,8 @@ class Cities(support.RunCase):
         self.assertEqual(summary["waiting"], len(undeparted))
         statistics = elements(folder / "statistics.xml", "vehicles")
         self.assertEqual(int(statistics[0].running), summary["running"])
-        roads = {road.getID() for road in sumolib.net.readNet(str(city.net)).getEdges(withInternal=False)}
+        net = sumolib.net.readNet(str(city.net), withInternal=True)
+        roads = {road.getID() for road in net.getEdges(withInternal=True)}
         measured = {edge.id for edge in elements(folder / "edgedata.xml", "edge")}
         self.assertGreater(len(measured), 20)
         self.assertLessEqual(measured, roads)
