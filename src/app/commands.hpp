@@ -12,6 +12,7 @@ namespace thalweg {
 /// Each subcommand takes its arguments (without program and command) and returns the exit code.
 int run_command(std::span<const std::string> arguments);
 int compare_command(std::span<const std::string> arguments);
+int days_command(std::span<const std::string> arguments);
 int route_command(std::span<const std::string> arguments);
 int network_command(std::span<const std::string> arguments);
 int lab_command(std::span<const std::string> arguments);

@@ -20,10 +20,11 @@ struct Command {
   int (*run)(std::span<const std::string>);
 };
 
-constexpr std::array<Command, 6> commands{{
+constexpr std::array<Command, 7> commands{{
     {"run", "one headless run of SUMO with one router in charge", &thalweg::run_command},
     {"compare", "the same demand under several routers and seeds: who arrives earlier?",
      &thalweg::compare_command},
+    {"days", "day after day on the same demand: what does a router learn?", &thalweg::days_command},
     {"route", "routes on a network, without SUMO", &thalweg::route_command},
     {"lab", "the paper's experiments", &thalweg::lab_command},
     {"network", "what a network looks like to the router", &thalweg::network_command},

@@ -24,6 +24,8 @@ std::vector<OptionSpec> routing_options() {
        "The travel times that vehicles decide by are updated so often"},
       {"routing", "share", 0, "FLOAT", fmt::format("{}", control.share),
        "Share of the vehicles that is ours, by a hash of their ids"},
+      {"routing", "compliance", 0, "FLOAT", fmt::format("{}", control.compliance),
+       "Probability that a driver follows a piece of advice"},
       {"routing", "gain.relative", 0, "FLOAT", fmt::format("{}", rule.relative),
        "A vehicle changes when it gains more than this share of the time left"},
       {"routing", "gain.spread", 0, "FLOAT", fmt::format("{}", rule.spread),
@@ -70,6 +72,8 @@ ControlOptions control_options(const Options& options) {
   verify(control.adaptation_interval >= 0, "--adaptation-interval must not be below 0");
   control.share = options.number("share");
   verify(control.share >= 0 && control.share <= 1, "--share must be from 0 to 1");
+  control.compliance = options.number("compliance");
+  verify(control.compliance >= 0 && control.compliance <= 1, "--compliance must be from 0 to 1");
   control.stall = options.time("stall");
   control.penalties = turn_penalties(options);
   return control;

@@ -13,26 +13,54 @@
 #include "network/lane_changes.hpp"
 #include "report/comparison.hpp"
 #include "report/decisions.hpp"
+#include "report/gap.hpp"
 #include "report/table.hpp"
+#include "simulation/agenda.hpp"
 #include "simulation/control.hpp"
 #include "simulation/run_folder.hpp"
 #include "simulation/sumo_module.hpp"
 #include "sumo/program.hpp"
+#include "traffic/memory_file.hpp"
 
 namespace thalweg {
 namespace {
 
 /// Who waits for a person or a container counts from `begin` on.
-std::vector<DemandedTrip> demanded(const Demand& demand, Millis begin) {
+std::vector<DemandedTrip> demanded(const Demand& demand, Millis begin, double share) {
   std::vector<DemandedTrip> trips;
   trips.reserve(demand.vehicles.size());
   for (const DemandVehicle& vehicle : demand.vehicles) {
     trips.push_back({.id = vehicle.id,
                      .depart = vehicle.depart.value_or(begin),
                      .fixed = vehicle.fixed,
-                     .destination = vehicle.destination});
+                     .destination = vehicle.destination,
+                     .equipped = is_equipped(vehicle, share)});
   }
   return trips;
+}
+
+/// The routes driven, where what follows "--" names a file of its own for them.
+std::optional<std::filesystem::path> users_routes(const Options& options, const SumoOptions& catalogue) {
+  std::optional<std::filesystem::path> file;
+  const auto& arguments = options.for_sumo();
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const auto* option = catalogue.find_argument(arguments[i]);
+    if (option == nullptr || option->first != "vehroute-output") continue;
+    const auto equals = arguments[i].find('=');
+    if (equals != std::string::npos) file = arguments[i].substr(equals + 1);
+    if (equals == std::string::npos && i + 1 < arguments.size()) file = arguments[i + 1];
+  }
+  return file;
+}
+
+/// What only we asked for is not kept.
+void measure_gap(const Options& options, const Project& project, const RunFolder& folder,
+                 RunSummary& summary) {
+  const auto users = users_routes(options, project.catalogue);
+  const std::filesystem::path routes = users.value_or(folder.routes);
+  const bool is_xml = routes.string().ends_with(".xml") || routes.string().ends_with(".xml.gz");
+  if (is_xml) summary.gap = relative_gap(routes, folder.edge_data, project.network, project.demand);
+  if (!users && !project.settings.find("vehroute-output")) std::filesystem::remove(folder.routes);
 }
 
 void tell_end(const RunResult& result, Millis stall) {
@@ -57,13 +85,19 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   ControlOptions control_with = control_options(options);
   control_with.lane_changes =
       read_lane_changes(file_list(project.settings.find("additional-files").value_or("")), project.network);
+  control_with.seed = summary.seed;
   const std::string& decision_output = options.text("decision-output");
   std::optional<DecisionOutput> decisions;  // opened before the work, so that a bad name costs no run
   if (!decision_output.empty()) {
     decisions.emplace(project.output / decision_output, options.header());
     control_with.log_decisions = true;
   }
-  const auto strategy = arm.ours ? make_strategy(arm.name, strategy_options(options)) : nullptr;
+  Memory memory;
+  if (!options.text("memory-input").empty())
+    memory = read_memory(options.text("memory-input"), project.network);
+  StrategyOptions strategy_with = strategy_options(options);
+  if (memory.days > 0) strategy_with.memory = &memory;
+  const auto strategy = arm.ours ? make_strategy(arm.name, strategy_with) : nullptr;
   SessionSetup setup{.arguments = {"-c", folder.configuration.string()},
                      .network = &project.network,
                      .demand = &project.demand};
@@ -81,13 +115,21 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   }
   summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   read_trips(folder.tripinfo,
-             demanded(project.demand, parse_time(project.settings.find("begin").value_or("0")).value_or(0)),
+             demanded(project.demand, parse_time(project.settings.find("begin").value_or("0")).value_or(0),
+                      control_with.share),
              result.end, summary);
   read_statistics(folder.statistics, summary);
   if (arm.ours) summary.reroutes = result.reroutes;
+  summary.ignored = result.ignored;
+  summary.forecast_error = result.forecast_error;
+  measure_gap(options, project, folder, summary);
   summary.router_cpu_s = arm.ours ? result.router_cpu_s : 0;
   summary.simulation_cpu_s = result.simulation_cpu_s;
   if (decisions) decisions->write(project.network, project.demand, result);
+  if (!options.text("memory-output").empty()) {
+    strategy->remember(memory);
+    write_memory(options.text("memory-output"), project.network, memory, options.header());
+  }
   tell_end(result, control_with.stall);
   return result;
 }
@@ -103,6 +145,10 @@ Options run_options() {
   specs.push_back({"random", "seed", 0, "INT", "23423", "SUMO's seed"});
   specs.push_back(
       {"output", "decision-output", 0, "FILE", "", "Every routing decision, in the output folder"});
+  specs.push_back(
+      {"input", "memory-input", 0, "FILE", "", "The folder of what the days before have taught (memory)"});
+  specs.push_back(
+      {"output", "memory-output", 0, "FILE", "", "The folder for that and what this run has lived"});
   return {"run", "one headless run of SUMO with one router in charge", std::move(specs)};
 }
 
@@ -116,6 +162,9 @@ int run_command(std::span<const std::string> arguments) {
     static_cast<void>(control_options(options));
     static_cast<void>(strategy_options(options));
     static_cast<void>(options.count("seed"));
+    const bool has_memory = !options.text("memory-input").empty() || !options.text("memory-output").empty();
+    verify(!has_memory || arm.name == "memory",
+           "--memory-input and --memory-output go with --strategy memory: no other router has one");
   });
   const RunFolder folder =
       make_run_folder(project.output, project.settings, project.catalogue, project.demand_files, arm,

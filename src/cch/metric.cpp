@@ -2,6 +2,7 @@
 #include "cch/metric.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/parallel.hpp"
 
@@ -12,6 +13,7 @@ void CchMetric<W>::take_costs(const CchTopology& topology, const std::vector<Mil
   constexpr W none = cch_infinity<W>;
   up.assign(topology.edge_count(), none);
   down.assign(topology.edge_count(), none);
+  over_.assign(2 * topology.edge_count(), unknown);
   for (std::size_t i = 0; i < costs.size(); ++i) {
     const auto place = topology.place(ArcId{i});
     if (place.is_loop || costs[i] >= infinity || static_cast<std::uint64_t>(costs[i]) >= none) continue;
@@ -74,6 +76,50 @@ void CchMetric<W>::customise(const CchTopology& topology, const std::vector<Mill
     relax_row(topology, top_[i], Part::subtrees, slots_[worker]);
   });
   for (const Rank x : top_) relax_row(topology, x, Part::top, slots_.front());
+}
+
+template <CchWeight W>
+typename CchMetric<W>::Over CchMetric<W>::over(const Digraph& graph, const std::vector<Millis>& costs,
+                                               const CchTopology& topology, const Step& step) const {
+  if (topology.lower_edges(step.lower).empty()) return an_arc;
+  // Whoever finds it first finds the same.
+  const std::atomic_ref<Over> kept(over_[2 * std::size_t{step.edge} + (step.upward ? 1 : 0)]);
+  Over known = kept.load(std::memory_order_relaxed);
+  if (known == unknown) {
+    known = find_over(graph, costs, topology, step);
+    kept.store(known, std::memory_order_relaxed);
+  }
+  return known;
+}
+
+/// By the lower triangles, and the arcs from end to end.
+template <CchWeight W>
+typename CchMetric<W>::Over CchMetric<W>::find_over(const Digraph& graph, const std::vector<Millis>& costs,
+                                                    const CchTopology& topology, const Step& step) const {
+  const CchTopology::Rank higher = topology.head(step.edge);
+  const W cost = (step.upward ? up : down)[step.edge];
+  const auto& to_lower = step.upward ? down : up;  // the half between the lowest vertex and the lower end
+  const auto& to_higher = step.upward ? up : down;
+  Over found = an_arc;
+  // Both ends' lower neighbours, ascending; the higher end has the lower one among its own.
+  const auto near = topology.lower_edges(step.lower);
+  const auto all_far = topology.lower_edges(higher);
+  auto far = std::lower_bound(all_far.begin(), all_far.end(), near.front().tail,
+                              [](const auto& edge, CchTopology::Rank rank) { return edge.tail < rank; });
+  for (const auto [v, edge] : near) {
+    while (far->tail < v) ++far;
+    if (far->tail != v || to_lower[edge] + to_higher[far->edge] != cost) continue;
+    if (found != an_arc) return several;
+    found = v;
+  }
+  if (found == an_arc) return an_arc;
+  const VertexId tail = topology.order()[step.upward ? step.lower : higher];
+  const VertexId head = topology.order()[step.upward ? higher : step.lower];
+  const auto arcs = graph.out(tail);
+  const bool is_arc_too = std::any_of(arcs.begin(), arcs.end(), [&](const Arc& arc) {
+    return arc.end == head && static_cast<std::uint64_t>(costs[arc.id.value]) == cost;
+  });
+  return is_arc_too ? several : found;
 }
 
 template class CchMetric<std::uint32_t>;

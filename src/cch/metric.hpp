@@ -39,13 +39,32 @@ class CchMetric {
   std::vector<W> up;    ///< by edge: from its lower end to its higher
   std::vector<W> down;  ///< by edge: from its higher end to its lower
 
+  /// An edge as a way runs along it.
+  struct Step {
+    CchTopology::Rank lower;  ///< end of the edge
+    CchTopology::EdgeIndex edge;
+    bool upward;
+  };
+  /// What a step costs as much as: an arc of the graph, the way over a lower vertex (its rank), or several of
+  /// these. Its cost is below infinity; `graph` and `costs` are what the metric was customised for. Found
+  /// when it is first asked for, kept until the next customisation; safe to be asked by many threads.
+  using Over = CchTopology::Rank;
+  static constexpr Over an_arc = std::numeric_limits<Over>::max();
+  static constexpr Over several = an_arc - 1;
+  [[nodiscard]] Over over(const Digraph& graph, const std::vector<Millis>& costs, const CchTopology& topology,
+                          const Step& step) const;
+
  private:
   enum class Part : std::uint8_t { all, subtrees, top };
   using Slots = std::vector<CchTopology::EdgeIndex>;
 
   void take_costs(const CchTopology& topology, const std::vector<Millis>& costs);
+  [[nodiscard]] Over find_over(const Digraph& graph, const std::vector<Millis>& costs,
+                               const CchTopology& topology, const Step& step) const;
   void relax_row(const CchTopology& topology, CchTopology::Rank x, Part part, Slots& slots);
 
+  static constexpr Over unknown = several - 1;
+  mutable std::vector<Over> over_;  ///< by edge, downward and upward; read and written as atomics
   std::vector<Slots>
       slots_;  ///< scratch, one a thread: by rank, the edge that leads there from the row's vertex
   std::vector<bool> is_top_;            ///< scratch, by rank

@@ -73,59 +73,7 @@ void CchSweep<W>::run(const CchTopology& topology, const CchMetric<W>& metric,
              topology.vertex_count());
 }
 
-template <CchWeight W>
-void CchLazyCosts<W>::start(const CchTopology& topology, const CchMetric<W>& metric, VertexId destination) {
-  if (labels_.size() != topology.vertex_count()) {
-    labels_.assign(topology.vertex_count(), cch_infinity<W>);
-    is_final_.assign(topology.vertex_count(), 0);
-  } else {
-    for (const Rank v : touched_) {
-      labels_[v] = cch_infinity<W>;
-      is_final_[v] = 0;
-    }
-  }
-  touched_.clear();
-  Rank v = topology.rank(destination);
-  labels_[v] = 0;
-  while (true) {  // up the elimination tree, where all that is reached lies: the ways into the destination
-    touched_.push_back(v);
-    const W label = labels_[v];
-    if (label < cch_infinity<W>) {
-      for (auto edge = topology.first_edge(v); edge < topology.first_edge(v + 1); ++edge) {
-        W& higher = labels_[topology.head(edge)];
-        higher = std::min<W>(higher, label + metric.down[edge]);
-      }
-    }
-    if (topology.parent(v) == v) break;
-    v = topology.parent(v);
-  }
-}
-
-template <CchWeight W>
-W CchLazyCosts<W>::cost(const CchTopology& topology, const CchMetric<W>& metric, VertexId from) {
-  const Rank rank = topology.rank(from);
-  chain_.clear();
-  for (Rank v = rank; is_final_[v] == 0; v = topology.parent(v)) {
-    chain_.push_back(v);
-    if (topology.parent(v) == v) break;
-  }
-  while (!chain_.empty()) {
-    const Rank v = chain_.back();
-    chain_.pop_back();
-    W label = labels_[v];
-    for (auto edge = topology.first_edge(v); edge < topology.first_edge(v + 1); ++edge) {
-      label = std::min<W>(label, labels_[topology.head(edge)] + metric.up[edge]);
-    }
-    labels_[v] = label;
-    is_final_[v] = 1;
-    touched_.push_back(v);
-  }
-  return labels_[rank];
-}
-
 template class CchSweep<std::uint32_t>;
 template class CchSweep<std::uint64_t>;
-template class CchLazyCosts<std::uint32_t>;
-template class CchLazyCosts<std::uint64_t>;
 
 }  // namespace thalweg

@@ -30,25 +30,7 @@ class CchSweep {
   std::vector<Lanes> labels_;  ///< by rank
 };
 
-/// Costs to one destination, each found when it is asked for: nothing beside the ancestors of the vertices
-/// asked for is touched (lazy RPHAST; Strasser and Zeitz 2021). For destinations that few vehicles share. One
-/// a thread.
-template <CchWeight W>
-class CchLazyCosts {
- public:
-  void start(const CchTopology& topology, const CchMetric<W>& metric, VertexId destination);
-  W cost(const CchTopology& topology, const CchMetric<W>& metric, VertexId from);
-
- private:
-  std::vector<W> labels_;                   ///< by rank; infinite but at `touched_`
-  std::vector<std::uint8_t> is_final_;      ///< by rank; only at `touched_`
-  std::vector<CchTopology::Rank> touched_;  ///< what the next start wipes
-  std::vector<CchTopology::Rank> chain_;    ///< scratch
-};
-
 extern template class CchSweep<std::uint32_t>;
 extern template class CchSweep<std::uint64_t>;
-extern template class CchLazyCosts<std::uint32_t>;
-extern template class CchLazyCosts<std::uint64_t>;
 
 }  // namespace thalweg

@@ -49,6 +49,13 @@ void CchTopology::complete(const Digraph& graph) {
   }
 }
 
+CchTopology::EdgeIndex CchTopology::edge_between(Rank lower, Rank higher) const {
+  const auto row = heads(lower);
+  const auto found = std::lower_bound(row.begin(), row.end(), higher);
+  if (found == row.end() || *found != higher) return no_edge;
+  return first_[lower] + static_cast<EdgeIndex>(found - row.begin());
+}
+
 void CchTopology::list_parents() {
   parents_.resize(vertex_count());
   for (Rank v = 0; v < vertex_count(); ++v) parents_[v] = first_[v] == first_[v + 1] ? v : heads_[first_[v]];
@@ -96,10 +103,7 @@ void CchTopology::place_arcs(const Digraph& graph) {
       places_.push_back({.edge = 0, .upward = false, .is_loop = true});
       continue;
     }
-    const Rank lower = std::min(tail, head);
-    const auto higher = heads(lower);
-    const auto found = std::lower_bound(higher.begin(), higher.end(), std::max(tail, head));
-    places_.push_back({.edge = first_[lower] + static_cast<EdgeIndex>(found - higher.begin()),
+    places_.push_back({.edge = edge_between(std::min(tail, head), std::max(tail, head)),
                        .upward = tail < head,
                        .is_loop = false});
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,9 @@ class CchTopology {
   [[nodiscard]] std::span<const Rank> heads(Rank v) const {
     return {heads_.data() + first_[v], heads_.data() + first_[v + 1]};
   }
+  /// The edge that joins the two; `no_edge`: they are not joined.
+  [[nodiscard]] EdgeIndex edge_between(Rank lower, Rank higher) const;
+  static constexpr EdgeIndex no_edge = std::numeric_limits<EdgeIndex>::max();
   /// The elimination tree: the lowest of the higher neighbours; `v` itself at a root.
   [[nodiscard]] Rank parent(Rank v) const { return parents_[v]; }
 

@@ -55,10 +55,10 @@ struct Connection {
   RoadId to;
   std::uint32_t from_lane = 0;
   std::uint32_t to_lane = 0;
-  LaneId via;  ///< the internal lane that leads on; invalid where the net has none
+  LaneId via{};  ///< the internal lane that leads on; invalid where the net has none
   char direction = 's';
   char state = 'M';
-  SignalId signal;
+  SignalId signal{};
   int link_index = -1;
   Permissions permissions = Permissions::all();
 };

@@ -65,6 +65,54 @@ Group group_from_json(const Json& json) {
   return group;
 }
 
+/// Means in s; sums are what a reader makes of them again.
+Json errors_to_json(const ForecastError& errors) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const HorizonError& error = errors[i];
+    rows.push_back({{"from_s", number(to_seconds(horizons[i]))},
+                    {"predictions", error.predictions},
+                    {"realised_mean", number(error.mean(error.realised))},
+                    {"mean_absolute_error", number(error.mean(error.own.absolute))},
+                    {"bias", number(error.mean(error.own.difference))},
+                    {"measured_mean_absolute_error", number(error.mean(error.measured.absolute))},
+                    {"measured_bias", number(error.mean(error.measured.difference))}});
+  }
+  return rows;
+}
+
+ForecastError errors_from_json(const Json& rows) {
+  ForecastError errors;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const Json& row = rows.at(i);
+    HorizonError& error = errors[i];
+    row.at("predictions").get_to(error.predictions);
+    if (error.predictions == 0) continue;
+    const auto sum = [&](const char* key) {
+      return read_number(row, key) * static_cast<double>(error.predictions);
+    };
+    error.realised = sum("realised_mean");
+    error.own = {.absolute = sum("mean_absolute_error"), .difference = sum("bias")};
+    error.measured = {.absolute = sum("measured_mean_absolute_error"), .difference = sum("measured_bias")};
+  }
+  return errors;
+}
+
+Json gap_to_json(const RelativeGap& gap) {
+  return {{"trips", gap.trips},           {"own_s", number(gap.own_s)},
+          {"best_s", number(gap.best_s)}, {"relative_gap", number(gap.relative())},
+          {"gaining", gap.gaining},       {"gaining_share", number(gap.gaining_share())}};
+}
+
+RelativeGap gap_from_json(const Json& json) {
+  RelativeGap gap;
+  json.at("trips").get_to(gap.trips);
+  json.at("gaining").get_to(gap.gaining);
+  gap.own_s = read_number(json, "own_s");
+  gap.best_s = read_number(json, "best_s");
+  return gap;
+}
+
 Json run_entry(const RunSummary& run) {
   return {{"seed", run.seed},
           {"vehicles", run.all.vehicles},
@@ -85,7 +133,12 @@ Json run_entry(const RunSummary& run) {
             {"wrong_lane", run.teleports.wrong_lane},
             {"collision", run.teleports.collision}}},
           {"reroutes", run.reroutes},
+          {"ignored", run.ignored},
           {"fixed", group_to_json(run.fixed)},
+          {"equipped", group_to_json(run.equipped)},
+          {"unequipped", group_to_json(run.unequipped)},
+          {"equilibrium", gap_to_json(run.gap)},
+          {"forecast_error", errors_to_json(run.forecast_error)},
           {"unknown", run.unknown},
           {"end_s", number(run.end_s)},
           {"wall_s", number(run.wall_s)},
@@ -195,6 +248,11 @@ RunSummary run_from_json(const nlohmann::ordered_json& json) {
     json.at("seed").get_to(run.seed);
     run.all = group_from_json(json);
     run.fixed = group_from_json(json.at("fixed"));
+    run.equipped = group_from_json(json.at("equipped"));
+    run.unequipped = group_from_json(json.at("unequipped"));
+    json.at("ignored").get_to(run.ignored);
+    run.gap = gap_from_json(json.at("equilibrium"));
+    run.forecast_error = errors_from_json(json.at("forecast_error"));
     json.at("dropped").get_to(run.dropped);
     json.at("unknown").get_to(run.unknown);
     const Json& teleports = json.at("teleports");

@@ -139,13 +139,18 @@ void read_trips_from(const Source& source, std::span<const DemandedTrip> demand,
   source(reader);
   Sums all;
   Sums fixed;
+  Sums equipped;
+  Sums unequipped;
   for (std::size_t i = 0; i < demand.size(); ++i) {
     all.add(demand[i], reader.trips()[i], end);
-    if (demand[i].fixed) fixed.add(demand[i], reader.trips()[i], end);
+    Sums& part = demand[i].fixed ? fixed : demand[i].equipped ? equipped : unequipped;
+    part.add(demand[i], reader.trips()[i], end);
   }
   run.all = all.means();
   run.all.vehicles += run.dropped;
   run.fixed = fixed.means();
+  run.equipped = equipped.means();
+  run.unequipped = unequipped.means();
   run.end_s = to_seconds(end);
 }
 

@@ -9,6 +9,8 @@
 #include <string_view>
 
 #include "core/time.hpp"
+#include "report/gap.hpp"
+#include "simulation/forecast_error.hpp"
 
 namespace thalweg {
 
@@ -21,6 +23,7 @@ struct DemandedTrip {
   Millis depart = 0;
   bool fixed = false;         ///< a bus or another vehicle that may not be re-routed
   std::string destination{};  ///< the last road of its route; empty: not known (see read_trips)
+  bool equipped = true;       ///< of the share that a router of ours leads (in every arm)
 };
 
 /// Counts of vehicles by their state at the end of a run, and mean times in seconds, lengths in metres.
@@ -56,10 +59,15 @@ struct RunSummary {
   std::uint64_t seed = 0;
   Group all{};                ///< fixed vehicles and those dropped included
   Group fixed{};              ///< the fixed vehicles by themselves
+  Group equipped{};           ///< of the others, those that a router of ours leads or would lead ..
+  Group unequipped{};         ///< .. and the rest (--share)
   std::uint64_t dropped = 0;  ///< could not be routed, left out before all arms
   std::uint64_t unknown = 0;  ///< in SUMO's output but not in the demand; in no other count
   Teleports teleports{};
   std::uint64_t reroutes = 0;
+  std::uint64_t ignored = 0;  ///< changes advised that the driver did not follow (--compliance)
+  ForecastError forecast_error{};
+  RelativeGap gap{};
   double wall_s = 0;
   double router_cpu_s = 0;
   double simulation_cpu_s = 0;
@@ -70,9 +78,10 @@ struct RunSummary {
   [[nodiscard]] bool failed() const { return exit != 0; }
 };
 
-/// Fills `all`, `fixed`, `unknown` and `end_s` from SUMO's --tripinfo-output, written with .write-unfinished
-/// and .write-undeparted; also `reroutes`, as SUMO counts route changes (an arm that knows better overwrites
-/// it). `run.dropped` must be set before. `end` is the simulated time at which the run ended.
+/// Fills `all`, `fixed`, `equipped`, `unequipped`, `unknown` and `end_s` from SUMO's --tripinfo-output,
+/// written with .write-unfinished and .write-undeparted; also `reroutes`, as SUMO counts route changes (an
+/// arm that knows better overwrites it). `run.dropped` must be set before. `end` is the simulated time at
+/// which the run ended.
 ///
 /// The commute of a finished trip is its depart delay + duration; one that is running, waiting or discarded
 /// has lasted from its demanded departure until `end`. SUMO writes nothing at all for a vehicle that it

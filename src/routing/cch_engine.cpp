@@ -50,9 +50,9 @@ void CchEngine::serve(const Digraph& graph, const std::vector<Millis>& costs, Le
     const Batch batch{.first = first + i * width, .last = std::min(last, first + (i + 1) * width)};
     Worker& worker = workers_[number];
     if (is_narrow_) {
-      serve_batch(method, graph, narrow_, worker.sweep32, worker.lazy32, worker.ends, legs, batch);
+      serve_batch(method, graph, narrow_, worker.sweep32, worker.lone32, worker.ends, legs, batch);
     } else {
-      serve_batch(method, graph, wide_, worker.sweep64, worker.lazy64, worker.ends, legs, batch);
+      serve_batch(method, graph, wide_, worker.sweep64, worker.lone64, worker.ends, legs, batch);
     }
   });
 }
@@ -120,7 +120,7 @@ void CchEngine::grow_trees(const Digraph& graph, const std::vector<Millis>& cost
 
 template <CchWeight W>
 void CchEngine::serve_batch(CchMethod method, const Digraph& graph, const CchMetric<W>& metric,
-                            CchSweep<W>& sweep, CchLazyCosts<W>& lazy, std::vector<VertexId>& ends,
+                            CchSweep<W>& sweep, CchLoneSearch<W>& lone, std::vector<VertexId>& ends,
                             Legs& legs, Batch batch) const {
   const CchTopology& topology = *topology_;
   ends.clear();
@@ -128,9 +128,16 @@ void CchEngine::serve_batch(CchMethod method, const Digraph& graph, const CchMet
   if (method == CchMethod::lone_searches ||
       (method == CchMethod::hierarchy && lone_price(legs, batch) < sweep_price())) {
     for (std::size_t i = 0; i < ends.size(); ++i) {
-      lazy.start(topology, metric, ends[i]);
-      walk(graph, costs_, legs.group(batch.first + i),
-           [&](VertexId v) { return from_label(lazy.cost(topology, metric, v)); });
+      lone.start(topology, metric, ends[i]);
+      const auto label = [&](VertexId v) { return from_label(lone.cost(topology, metric, v)); };
+      const auto group = legs.group(batch.first + i);
+      Leg& leg = group.front();
+      if (group.size() == 1 && label(leg.origin) < infinity &&
+          lone.only_way(graph, costs_, topology, metric, leg.origin, leg.roads)) {
+        leg.cost = label(leg.origin);
+      } else {  // several share the costs found on their ways
+        walk(graph, costs_, group, label);
+      }
     }
     return;
   }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "cch/lone_search.hpp"
 #include "cch/order_cache.hpp"
 #include "cch/sweep.hpp"
 #include "routing/legs.hpp"
@@ -51,8 +52,8 @@ class CchEngine {
   struct Worker {
     CchSweep<std::uint32_t> sweep32;
     CchSweep<std::uint64_t> sweep64;
-    CchLazyCosts<std::uint32_t> lazy32;
-    CchLazyCosts<std::uint64_t> lazy64;
+    CchLoneSearch<std::uint32_t> lone32;
+    CchLoneSearch<std::uint64_t> lone64;
     Tree tree;
     DijkstraScratch dijkstra;
     std::vector<VertexId> ends;
@@ -72,7 +73,7 @@ class CchEngine {
                   std::size_t last);
   template <CchWeight W>
   void serve_batch(CchMethod method, const Digraph& graph, const CchMetric<W>& metric, CchSweep<W>& sweep,
-                   CchLazyCosts<W>& lazy, std::vector<VertexId>& ends, Legs& legs, Batch batch) const;
+                   CchLoneSearch<W>& lone, std::vector<VertexId>& ends, Legs& legs, Batch batch) const;
 
   CchPrices prices_;
   OrderCache cache_;

@@ -5,15 +5,10 @@
 #include <unordered_map>
 
 #include "core/parallel.hpp"
-#include "routing/hindsight.hpp"
+#include "routing/foresight.hpp"
 #include "routing/list.hpp"
 #include "search/dijkstra.hpp"
 #include "search/timed_search.hpp"
-#include "traffic/discharge.hpp"
-#include "traffic/queue_forecast.hpp"
-#include "traffic/residuals.hpp"
-#include "traffic/servers.hpp"
-#include "traffic/timed_costs.hpp"
 
 namespace thalweg {
 namespace {
@@ -46,31 +41,27 @@ class Potentials {
   DijkstraScratch scratch_;
 };
 
-/// Routes by the times that a queue forecast expects, made anew every `round`.
+/// What a strategy of this kind does beside looking ahead.
+struct Manners {
+  bool books = false;  ///< who decides sees what those before it in the same round have decided
+  double toll = 0;     ///< share of what a vehicle costs the others that counts as a cost of its own
+};
+
+/// Routes by the times that a queue forecast expects.
 class ForecastStrategy : public Strategy {
  public:
-  explicit ForecastStrategy(const StrategyOptions& options)
-      : rule_(options.rule), scratch_(std::max<std::size_t>(1, options.threads)) {}
+  ForecastStrategy(const StrategyOptions& options, const Manners& manners)
+      : rule_(options.rule),
+        manners_(manners),
+        memory_(options.memory),
+        scratch_(std::max<std::size_t>(1, options.threads)) {}
 
   [[nodiscard]] bool looks_ahead() const override { return true; }
 
   void watch(const TrafficState& state) override {
-    now_ = state.now;
-    if (!model_) model_.emplace(state);
-    for (const SignalId signal : state.changed_signals)
-      model_->servers.set_programme(signal, state.programmes[signal]);
-    for (const RoadId road : state.conditions.roads())
-      model_->servers.set_free_flow(road, state.conditions.crossing(road));
-    model_->discharge.observe(state.fleet, state.now);
-    model_->forecast.observe(state.fleet, state.now);
-    model_->hindsight.observe(state.fleet, state.now);
-    if (state.now < next_round_ && state.conditions.version() == conditions_version_) return;
-    conditions_version_ = state.conditions.version();
-    next_round_ = state.now + round_;
-    model_->forecast.run(state.fleet, state.now);
-    model_->residuals.refresh(model_->servers, model_->forecast, state.measured);
-    round_time_ = state.now;
-    rule_.caution = model_->hindsight.caution();
+    if (!foresight_) foresight_.emplace(state, memory_);
+    if (!foresight_->watch(state)) return;
+    rule_.caution = foresight_->hindsight().caution();
     for (auto& seen : classes_) seen.is_fresh = false;
   }
 
@@ -82,113 +73,166 @@ class ForecastStrategy : public Strategy {
       if (classes_[i].potentials) classes_[i].potentials->begin(traffic[i].graph->turns().vertex_count());
     }
     for (const Traveller& traveller : due) prepare(traffic[traveller.vehicle_class], traveller);
-    parallel_for(due.size(), scratch_.size(), [&](std::size_t i, std::size_t worker) {
-      decide_one(*traffic[due[i].vehicle_class].graph, classes_[due[i].vehicle_class], due[i],
-                 scratch_[worker], decisions[i]);
-    });
+    // Those of one group do not see each other, whatever the number of threads.
+    const std::size_t group = manners_.books ? booking_group : std::max<std::size_t>(1, due.size());
+    for (std::size_t first = 0; first < due.size(); first += group) {
+      const std::size_t count = std::min(group, due.size() - first);
+      parallel_for(count, scratch_.size(), [&](std::size_t i, std::size_t worker) {
+        const Traveller& traveller = due[first + i];
+        decide_one(*traffic[traveller.vehicle_class].graph, classes_[traveller.vehicle_class], traveller,
+                   scratch_[worker], decisions[first + i]);
+      });
+      if (manners_.books)
+        book(traffic, due.subspan(first, count), std::span(decisions).subspan(first, count));
+    }
+  }
+
+  void applied(std::span<const Traveller> due, std::span<const Decision> decisions) override {
+    const Millis now = foresight_->now();
     for (std::size_t i = 0; i < due.size(); ++i) {
-      model_->hindsight.decided(due[i].vehicle, now_, due[i].arrival(now_, decisions[i].old_cost),
-                                due[i].arrival(now_, decisions[i].new_cost), decisions[i].change);
+      const Decision& decision = decisions[i];
+      foresight_->hindsight().decided(due[i].vehicle, now, arrival(due[i], decision, now, decision.old_cost),
+                                      arrival(due[i], decision, now, decision.new_cost), decision.change);
     }
   }
 
  private:
-  struct Model {
-    explicit Model(const TrafficState& state)
-        : network(state.network),
-          conditions(state.conditions),
-          servers(state.network),
-          discharge(state.network, servers, state.demand),
-          forecast(state.network, servers, discharge),
-          residuals(state.network),
-          hindsight(state.demand.vehicles.size()) {}
-    const Network& network;
-    const Conditions& conditions;
-    Servers servers;
-    Discharge discharge;
-    QueueForecast forecast;
-    Residuals residuals;
-    Hindsight hindsight;
-  };
+  static constexpr std::size_t booking_group = 4;
+
   struct ClassView {
     std::optional<TimedCosts> costs{};
     std::unique_ptr<Potentials> potentials{};
     bool is_fresh = false;
   };
+  /// A way as it will be driven.
+  struct Drive {
+    Millis arrival = 0;  ///< on the last road; infinity: never
+    Millis owed = 0;
+  };
 
   void prepare(const ClassTraffic& traffic, const Traveller& traveller) {
     ClassView& view = classes_[traveller.vehicle_class];
     if (!view.costs) {
-      view.costs.emplace(model_->network, *traffic.graph);
+      view.costs.emplace(foresight_->network(), *traffic.graph);
       view.potentials = std::make_unique<Potentials>(std::size_t{256} << 20);
     }
-    if (!view.is_fresh)
-      view.costs->refresh(model_->forecast, model_->residuals, model_->conditions, round_time_);
+    if (!view.is_fresh) view.costs->refresh(foresight_->expected(), foresight_->forecast_at());
     view.is_fresh = true;
     for (const VertexId waypoint : traveller.waypoints)
       static_cast<void>(view.potentials->to(traffic.graph->turns(), view.costs->free_flow(), waypoint));
   }
 
-  /// When it enters the road at the end of `route`.
-  Millis drive(const Digraph& turns, const TimedCosts& costs, std::span<const VertexId> route,
-               Millis time) const {
+  [[nodiscard]] Millis toll(const TimedCosts& costs, VertexId road, Millis time) const {
+    if (manners_.toll <= 0) return 0;
+    return static_cast<Millis>(manners_.toll * static_cast<double>(costs.toll(road, time)));
+  }
+
+  /// Calls `enters(i, time)` for each road of the route but the last.
+  template <class Enters>
+  Drive drive(const Digraph& turns, const TimedCosts& costs, std::span<const VertexId> route, Millis time,
+              const Enters& enters) const {
+    Drive result;
     for (std::size_t i = 0; i + 1 < route.size() && time < infinity; ++i) {
+      enters(i, time);
+      result.owed += toll(costs, route[i], time);
       Millis next = infinity;
       for (const Arc& arc : turns.out(route[i])) {
         if (arc.end == route[i + 1]) next = std::min(next, costs.arrive(arc.id, time));
       }
       time = next;
     }
-    return never(time) ? infinity : time;
+    result.arrival = never(time) ? infinity : time;
+    return result;
   }
 
   /// The way leads through a closed road.
-  [[nodiscard]] bool never(Millis arrival) const { return arrival - now_ >= TimedCosts::closed / 2; }
+  [[nodiscard]] bool never(Millis arrival) const {
+    return arrival - foresight_->now() >= TimedCosts::closed / 2;
+  }
+
+  /// When it enters the first road of its route. One that has driven a part of it is as one that entered so
+  /// much earlier.
+  [[nodiscard]] Millis start(const RoadGraph& graph, const TimedCosts& costs,
+                             const Traveller& traveller) const {
+    if (!traveller.departed)
+      return foresight_->now() +
+             foresight_->insertion(traveller.vehicle, std::max<Millis>(0, traveller.until_route));
+    const auto crossing = static_cast<double>(crossing_of(graph, costs, traveller.route.front()));
+    return foresight_->now() + std::max<Millis>(0, traveller.until_route) -
+           static_cast<Millis>(traveller.driven * crossing);
+  }
+  [[nodiscard]] Millis crossing_of(const RoadGraph& graph, const TimedCosts& costs, VertexId road) const {
+    return foresight_->driven(costs.road_time(graph.road(road)));
+  }
 
   void decide_one(const RoadGraph& graph, ClassView& view, const Traveller& traveller, TimedScratch& scratch,
                   Decision& decision) const {
     const Digraph& turns = graph.turns();
     const TimedCosts& costs = *view.costs;
-    // One that has driven a part of its road is as one that entered it so much earlier.
-    const Millis driven = static_cast<Millis>(
-        traveller.driven * static_cast<double>(costs.road_time(graph.road(traveller.route.front()))));
-    const Millis start = now_ + std::max<Millis>(0, traveller.until_route) - driven;
-    const Millis last = costs.road_time(graph.road(traveller.route.back()));
-    const Millis old_arrival = drive(turns, costs, traveller.route, start);
-    decision.old_cost = old_arrival >= infinity ? infinity : old_arrival - start + last;
+    const Millis begin = start(graph, costs, traveller);
+    const Millis last = crossing_of(graph, costs, traveller.route.back());
+    const Drive old = drive(turns, costs, traveller.route, begin, [](std::size_t, Millis) {});
+    decision.entered = begin;
+    decision.old_cost = old.arrival >= infinity ? infinity : old.arrival - begin + last;
     decision.new_cost = decision.old_cost;
     // Only ways that the rule would take are searched for: mostly there is none, which is seen soon.
-    const Millis bound =
-        old_arrival >= infinity ? infinity : old_arrival - rule_.threshold(traveller, decision.old_cost);
+    const Millis bound = old.arrival >= infinity
+                             ? infinity
+                             : old.arrival + old.owed - rule_.threshold(traveller, decision.old_cost);
     decision.route.push_back(traveller.route.front());
-    Millis time = start;
+    Drive best{.arrival = begin};
     VertexId at = traveller.route.front();
     for (const VertexId waypoint : traveller.waypoints) {
       const auto& left = view.potentials->to(turns, costs.free_flow(), waypoint);
       const auto found = timed_search(
-          turns, at, time, waypoint, bound, [&](ArcId arc, Millis t) { return costs.arrive(arc, t); },
+          turns, at, best.arrival, best.owed, waypoint, bound,
+          [&](ArcId arc, Millis time) { return costs.arrive(arc, time); },
+          [&](VertexId road, Millis time) { return toll(costs, road, time); },
           [&](VertexId v) { return left[v.value]; }, scratch);
       if (!found || never(found->arrival)) {
         decision.route.clear();  // none at all, or none that the rule would take
-        if (old_arrival < infinity) decision.route = traveller.route;
+        if (old.arrival < infinity) decision.route = traveller.route;
         return;
       }
       for (const ArcId arc : found->arcs) decision.route.push_back(turns.ends(arc).head);
-      time = found->arrival;
+      best = {.arrival = found->arrival, .owed = found->owed};
       at = waypoint;
     }
-    decision.new_cost = time - start + last;
-    decision.change =
-        decision.route != traveller.route && rule_.prefers(traveller, decision.old_cost, decision.new_cost);
+    decision.new_cost = best.arrival - begin + last;
+    // What it owes the others counts for the choice only, not for the time that is foretold.
+    decision.change = decision.route != traveller.route &&
+                      rule_.prefers(traveller, add_saturating(decision.old_cost, old.owed),
+                                    add_saturating(decision.new_cost, best.owed));
+  }
+
+  /// Moves the places of those who changed their ways.
+  void book(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
+            std::span<const Decision> decisions) {
+    for (std::size_t i = 0; i < due.size(); ++i) {
+      if (!decisions[i].change) continue;
+      const RoadGraph& graph = *traffic[due[i].vehicle_class].graph;
+      take_places(graph, due[i], due[i].route, -1);
+      take_places(graph, due[i], decisions[i].route, +1);
+    }
+    for (const RoadId road : foresight_->bookings().take_changed()) {
+      for (ClassView& view : classes_) {
+        if (view.is_fresh) view.costs->refresh(foresight_->expected(), road);
+      }
+    }
+  }
+  void take_places(const RoadGraph& graph, const Traveller& traveller, std::span<const VertexId> route,
+                   double count) {
+    const TimedCosts& costs = *classes_[traveller.vehicle_class].costs;
+    drive(graph.turns(), costs, route, start(graph, costs, traveller), [&](std::size_t i, Millis time) {
+      const Millis reached = time + crossing_of(graph, costs, route[i]) - foresight_->forecast_at();
+      foresight_->bookings().book(graph.road(route[i]), to_seconds(reached), count);
+    });
   }
 
   ChoiceRule rule_;
-  Millis round_ = 15'000;
-  Millis next_round_ = 0;
-  std::uint32_t conditions_version_ = 0;
-  Millis round_time_ = 0;
-  Millis now_ = 0;
-  std::optional<Model> model_;
+  Manners manners_;
+  const Memory* memory_;
+  std::optional<Foresight> foresight_;
   std::vector<ClassView> classes_;
   std::vector<TimedScratch> scratch_;
 };
@@ -196,7 +240,15 @@ class ForecastStrategy : public Strategy {
 }  // namespace
 
 std::unique_ptr<Strategy> make_forecast(const StrategyOptions& options) {
-  return std::make_unique<ForecastStrategy>(options);
+  return std::make_unique<ForecastStrategy>(options, Manners{});
+}
+
+std::unique_ptr<Strategy> make_booking(const StrategyOptions& options) {
+  return std::make_unique<ForecastStrategy>(options, Manners{.books = true});
+}
+
+std::unique_ptr<Strategy> make_marginal(const StrategyOptions& options) {
+  return std::make_unique<ForecastStrategy>(options, Manners{.books = true, .toll = 0.1});
 }
 
 }  // namespace thalweg

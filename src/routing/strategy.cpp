@@ -24,11 +24,17 @@ Millis ChoiceRule::threshold(const Traveller& traveller, Millis old_cost) const 
 }
 
 std::span<const StrategyEntry> strategies() {
-  static constexpr std::array<StrategyEntry, 5> list{{
+  static constexpr std::array<StrategyEntry, 8> list{{
       {"hybrid", "fewest turns, then least time (the paper's hybrid algorithm)", &make_hybrid},
       {"evolved", "the hybrid's tree evolved to the optimum (the paper's evolutionary hybrid)",
        &make_evolved},
       {"forecast", "least time by a forecast of where the queues will be", &make_forecast, true},
+      {"booking",
+       "the same, and who decides sees what those before it have decided (the paper's reserve table)",
+       &make_booking, true},
+      {"marginal", "the same, and a part of what a vehicle costs the others counts as a cost of its own",
+       &make_marginal, true},
+      {"memory", "the forecast with what the days before have taught (the paper's crew)", &make_memory, true},
       {"cch", "the same optimum by a customizable contraction hierarchy: fast on large nets", &make_cch},
       {"dijkstra", "least time by Dijkstra's algorithm, to compare with", &make_dijkstra},
   }};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "graph/road_graph.hpp"
 #include "traffic/conditions.hpp"
 #include "traffic/fleet.hpp"
+#include "traffic/memory.hpp"
 
 namespace thalweg {
 
@@ -32,13 +34,8 @@ struct Traveller {
   std::vector<VertexId> waypoints;  ///< roads it must pass in this order: stops, `via`; last its destination
   Millis until_route = 0;           ///< from now until it enters route.front()
   double driven = 0;                ///< share of route.front() that lies behind it
-  double patience = 0;              ///< in [0, 1), fixed for each vehicle by a hash of its name
+  double patience = 0;              ///< in [0, 1), by a hash of its name; above: it has reasons to stay
   bool departed = true;
-
-  /// When it arrives that decides at `now` for a way of this cost.
-  [[nodiscard]] Millis arrival(Millis now, Millis cost) const {
-    return add_saturating(now, add_saturating(until_route, cost));
-  }
 };
 
 /// What was decided for a traveller. Costs run from entering route.front() to the end of the last road.
@@ -47,7 +44,14 @@ struct Decision {
   std::vector<VertexId> route{};  ///< the best way found, from the same first road; empty: there is none
   Millis old_cost = 0;
   Millis new_cost = 0;  ///< of `route`
+  /// When it entered route.front(), where the strategy knows better than Traveller::until_route.
+  std::optional<Millis> entered{};
 };
+
+/// When a traveller arrives that decides at `now` for a way of this cost.
+inline Millis arrival(const Traveller& traveller, const Decision& decision, Millis now, Millis cost) {
+  return add_saturating(decision.entered.value_or(now + traveller.until_route), cost);
+}
 
 /// When a traveller gives up its way for a better one: the gain must exceed
 /// (relative + spread * patience) of the time left, and `absolute`; before departure, when turning costs
@@ -71,6 +75,7 @@ struct TrafficState {
   const Demand& demand;
   const Fleet& fleet;
   const MeasuredTimes& measured;
+  std::span<const Observation> observations;  ///< of now
   const Conditions& conditions;
   const IdVector<SignalId, SignalProgramme>& programmes;
   std::span<const SignalId> changed_signals;  ///< those whose programme is new
@@ -87,12 +92,18 @@ class Strategy {
   /// decisions[i] belongs to due[i]. The result does not depend on the number of threads.
   virtual void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
                       std::vector<Decision>& decisions) = 0;
+  /// At the end of a run: what it has lived goes into the memory.
+  virtual void remember(Memory& /*memory*/) {}
+  /// After `decide`: what came of it. `change` is false where SUMO refused a route or a driver did not
+  /// follow.
+  virtual void applied(std::span<const Traveller> /*due*/, std::span<const Decision> /*decisions*/) {}
 };
 
 struct StrategyOptions {
   ChoiceRule rule{};
   std::size_t threads = 1;
-  OrderCache order_cache{};  ///< of the hierarchy; nowhere by default
+  OrderCache order_cache{};        ///< of the hierarchy; nowhere by default
+  const Memory* memory = nullptr;  ///< of the days before, for `memory`; outlives the strategy
 };
 
 /// The strategies there are, each with the sentence that `--help` shows.

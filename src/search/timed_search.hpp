@@ -19,19 +19,27 @@ concept ArrivalFunction = requires(const F& arrive, ArcId arc, Millis entry) {
   { arrive(arc, entry) } -> std::convertible_to<Millis>;
 };
 
+/// What is owed beside the time for leaving a vertex: a callable (VertexId, Millis) -> Millis, not below 0.
+template <class F>
+concept TollFunction = requires(const F& toll, VertexId vertex, Millis time) {
+  { toll(vertex, time) } -> std::convertible_to<Millis>;
+};
+inline constexpr auto no_toll = [](VertexId, Millis) -> Millis { return 0; };
+
 /// Storage of `timed_search`, to be reused; one a thread.
 class TimedScratch {
  public:
   struct Entry {
-    Millis key;  ///< label + potential
-    Millis label;
+    Millis key;    ///< label + potential
+    Millis label;  ///< time + owed
     VertexId vertex;
     friend bool operator<(const Entry& a, const Entry& b) {  // the standard's heap keeps the greatest on top
       return a.key != b.key ? a.key > b.key : a.vertex.value > b.vertex.value;
     }
   };
   struct Label {
-    Millis time = infinity;
+    Millis cost = infinity;  ///< time + owed
+    Millis owed = 0;
     ArcId parent{};
     std::uint32_t search = 0;  ///< the search that wrote it
   };
@@ -41,8 +49,8 @@ class TimedScratch {
     labels.assign(vertices, {});
     search = 1;
   }
-  [[nodiscard]] Millis time(VertexId v) const {
-    return labels[v].search == search ? labels[v].time : infinity;
+  [[nodiscard]] Millis cost(VertexId v) const {
+    return labels[v].search == search ? labels[v].cost : infinity;
   }
 
   std::vector<Entry> heap;
@@ -52,34 +60,40 @@ class TimedScratch {
 
 struct TimedPath {
   Millis arrival = infinity;  ///< at the destination
+  Millis owed = 0;
   std::vector<ArcId> arcs;
 };
 
-/// The earliest arrival at `destination` for one that is at `origin` at `start`; nullopt: none before
-/// `bound`. A* on the time labels (Dreyfus 1969 for the label-setting): exact where leaving later never
-/// arrives earlier and `potential` (VertexId -> Millis) is never above the time that is left, nor falls by
-/// more than an arc takes; infinity where the destination is out of reach.
-template <ArrivalFunction F, class Potential>
-std::optional<TimedPath> timed_search(const Digraph& graph, VertexId origin, Millis start,
-                                      VertexId destination, Millis bound, const F& arrive,
+/// The least arrival + owed at `destination` for one that is at `origin` at `start` and owes `owed` already;
+/// nullopt: none below `bound`. A* on these labels (Dreyfus 1969 for the label-setting): exact where nothing
+/// is owed, leaving later never arrives earlier and `potential` (VertexId -> Millis) is never above the time
+/// that is left, nor falls by more than an arc takes; infinity where the destination is out of reach. With
+/// tolls one label a vertex is kept, as in the paper's dynamical hybrid: a way that is worse up to a vertex
+/// and would owe less beyond it is not seen.
+template <ArrivalFunction F, TollFunction Toll, class Potential>
+std::optional<TimedPath> timed_search(const Digraph& graph, VertexId origin, Millis start, Millis owed,
+                                      VertexId destination, Millis bound, const F& arrive, const Toll& toll,
                                       const Potential& potential, TimedScratch& scratch) {
   scratch.begin(graph.vertex_count());
-  const auto reach = [&](VertexId v, Millis time, ArcId parent) {
-    if (time >= scratch.time(v)) return;
-    const Millis key = add_saturating(time, potential(v));
+  const auto reach = [&](VertexId v, Millis time, Millis debt, ArcId parent) {
+    const Millis cost = add_saturating(time, debt);
+    if (cost >= scratch.cost(v)) return;
+    const Millis key = add_saturating(cost, potential(v));
     if (key >= bound) return;
-    scratch.labels[v] = {.time = time, .parent = parent, .search = scratch.search};
-    scratch.heap.push_back({.key = key, .label = time, .vertex = v});
+    scratch.labels[v] = {.cost = cost, .owed = debt, .parent = parent, .search = scratch.search};
+    scratch.heap.push_back({.key = key, .label = cost, .vertex = v});
     std::push_heap(scratch.heap.begin(), scratch.heap.end());
   };
-  reach(origin, start, ArcId{});
+  reach(origin, start, owed, ArcId{});
   while (!scratch.heap.empty()) {
     std::pop_heap(scratch.heap.begin(), scratch.heap.end());
     const auto [key, label, vertex] = scratch.heap.back();
     scratch.heap.pop_back();
-    if (label > scratch.time(vertex)) continue;  // an earlier one came first
+    if (label > scratch.cost(vertex)) continue;  // a better one came first
+    const Millis debt = scratch.labels[vertex].owed;
+    const Millis time = label - debt;
     if (vertex == destination) {
-      TimedPath path{.arrival = label, .arcs = {}};
+      TimedPath path{.arrival = time, .owed = debt, .arcs = {}};
       for (ArcId arc = scratch.labels[vertex].parent; arc.valid();) {
         path.arcs.push_back(arc);
         arc = scratch.labels[graph.ends(arc).tail].parent;
@@ -87,7 +101,8 @@ std::optional<TimedPath> timed_search(const Digraph& graph, VertexId origin, Mil
       std::reverse(path.arcs.begin(), path.arcs.end());
       return path;
     }
-    for (const Arc& arc : graph.out(vertex)) reach(arc.end, arrive(arc.id, label), arc.id);
+    const Millis more = debt + toll(vertex, time);
+    for (const Arc& arc : graph.out(vertex)) reach(arc.end, arrive(arc.id, time), more, arc.id);
   }
   return std::nullopt;
 }

@@ -12,6 +12,11 @@
 
 namespace thalweg {
 
+/// Whether a vehicle is ours when `share` of them are: the same vehicles in every arm and run.
+inline bool is_equipped(const DemandVehicle& vehicle, double share) {
+  return !vehicle.fixed && unit_hash(vehicle.id + "#share") < share;
+}
+
 /// The vehicles' own clocks: when each of ours reconsiders.
 class Agenda {
  public:
@@ -23,7 +28,7 @@ class Agenda {
       const DemandVehicle& vehicle = demand.vehicles[VehicleId{i}];
       Entry& entry = entries_[VehicleId{i}];
       entry.depart = vehicle.depart.value_or(0);
-      entry.ours = !vehicle.fixed && unit_hash(vehicle.id + "#share") < share;
+      entry.ours = is_equipped(vehicle, share);
       entry.phase =
           period_ > 0 ? static_cast<Millis>(unit_hash(vehicle.id) * static_cast<double>(period_)) : 0;
     }

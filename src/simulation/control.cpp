@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulation/control.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <ctime>
-#include <memory>
 #include <optional>
 
 #include "core/hash.hpp"
 #include "simulation/agenda.hpp"
+#include "simulation/live_traffic.hpp"
 #include "traffic/conditions.hpp"
 
 namespace thalweg {
@@ -64,19 +65,9 @@ class Controller {
         conditions_(network, options.lane_changes),
         fleet_(demand),
         programmes_(network.signals.size()),
-        last_questions_(demand.vehicles.size()) {
-    for (const DemandVehicle& vehicle : demand.vehicles) {
-      auto& index = class_index_[static_cast<std::size_t>(vehicle.vehicle_class)];
-      if (vehicle.fixed || index) continue;
-      index = graphs_.size();
-      graphs_.push_back(std::make_unique<RoadGraph>(network, vehicle.vehicle_class));
-      const double max_speed = default_max_speed(vehicle.vehicle_class);
-      traffic_.push_back(
-          {.graph = graphs_.back().get(),
-           .free_flow = free_flow_times(network, vehicle.vehicle_class, max_speed, options.penalties),
-           .road_times = {},
-           .turn_costs = {}});
-    }
+        ledger_(demand.vehicles.size(), result.forecast_error),
+        last_questions_(demand.vehicles.size()),
+        traffic_(network, demand, options.penalties) {
     next_sample_ = simulation.now();
   }
 
@@ -94,6 +85,7 @@ class Controller {
     for (const VehicleId vehicle : simulation_.events().arrived) {
       agenda_.on_arrived(vehicle);
       fleet_.on_arrived(vehicle);
+      ledger_.arrived(vehicle, simulation_.now());
     }
     if (conditions_.advance(simulation_.now())) {  // another world: everybody is asked again, now
       next_adaptation_ = simulation_.now();
@@ -109,7 +101,7 @@ class Controller {
       next_sample_ += sample_interval_;  // not from now on: steps of 0.3 s would make 1.2 s of 1 s
     }
     if (simulation_.now() >= next_adaptation_) {
-      fresh_.assign(traffic_.size(), false);
+      traffic_.expire();
       ++news_;
       next_adaptation_ = simulation_.now() + options_.adaptation_interval;
     }
@@ -127,6 +119,7 @@ class Controller {
 
   void watch(std::span<const Observation> observations) {
     fleet_.on_observed(network_, observations);
+    find_lost(observations);
     changed_signals_.clear();
     for (std::size_t i = 0; i < programmes_.size(); ++i) {
       const SignalId signal{i};
@@ -140,9 +133,19 @@ class Controller {
                      .demand = demand_,
                      .fleet = fleet_,
                      .measured = measured_,
+                     .observations = observations,
                      .conditions = conditions_,
                      .programmes = programmes_,
                      .changed_signals = changed_signals_});
+  }
+
+  /// Those that a rerouter of SUMO's sent another way are seen again after the next look.
+  void find_lost(std::span<const Observation> observations) {
+    for (const Observation& seen : observations) {
+      if (!seen.vehicle.valid() || !fleet_[seen.vehicle].is_lost) continue;
+      const Plan plan = simulation_.plan(seen.vehicle);
+      if (!plan.route.empty()) fleet_.on_plan(seen.vehicle, plan.route);
+    }
   }
 
   void decide() {
@@ -153,24 +156,27 @@ class Controller {
       add_traveller(vehicle);
     }
     if (travellers_.empty()) return;
-    refresh_traffic();
+    for (const Traveller& traveller : travellers_)
+      traffic_.refresh(traveller.vehicle_class, measured_, conditions_);
     for (std::size_t i = 0; i < travellers_.size(); ++i) travellers_[i].until_route = until_route(i);
-    strategy_.decide(traffic_, travellers_, decisions_);
+    strategy_.decide(traffic_.all(), travellers_, decisions_);
     result_.decisions += travellers_.size();
     for (std::size_t i = 0; i < travellers_.size(); ++i) apply(travellers_[i], plans_[i], decisions_[i]);
+    strategy_.applied(travellers_, decisions_);
   }
 
   void add_traveller(VehicleId vehicle) {
     Plan plan = simulation_.plan(vehicle);
     if (!plan.can_change || plan.committed >= plan.route.size()) return;
+    if (strategy_.looks_ahead()) fleet_.on_plan(vehicle, plan.route);
     const DemandVehicle& wanted = demand_.vehicles[vehicle];
     Traveller traveller;
     traveller.vehicle = vehicle;
-    traveller.vehicle_class = *class_index_[static_cast<std::size_t>(wanted.vehicle_class)];
+    traveller.vehicle_class = traffic_.index_of(wanted.vehicle_class);
     traveller.patience = unit_hash(wanted.id);
     traveller.departed = agenda_.departed(vehicle);
     traveller.driven = plan.committed == 1 ? plan.driven : 0;
-    const RoadGraph& graph = *graphs_[traveller.vehicle_class];
+    const RoadGraph& graph = traffic_.graph(traveller.vehicle_class);
     const std::size_t first = plan.committed - 1;
     for (std::size_t i = first; i < plan.route.size(); ++i) {
       const VertexId vertex = graph.vertex(plan.route[i]);
@@ -191,30 +197,6 @@ class Controller {
     plans_.push_back(std::move(plan));
   }
 
-  /// Brings the costs of the classes that are asked for up to the last sample, once an adaptation interval.
-  void refresh_traffic() {
-    for (const Traveller& traveller : travellers_) {
-      if (fresh_[traveller.vehicle_class]) continue;
-      fresh_[traveller.vehicle_class] = true;
-      ClassTraffic& traffic = traffic_[traveller.vehicle_class];
-      measured_.live(traffic.free_flow, traffic.road_times);
-      for (const RoadId road : conditions_.roads()) {
-        Millis& time = traffic.road_times[road];
-        time = std::max(time, from_seconds(conditions_.crossing(road)));
-      }
-      turn_costs(*traffic.graph, traffic.road_times, traffic.turn_costs);
-      for (const RoadId road : conditions_.roads()) close(road, traffic);
-    }
-  }
-
-  /// Nobody turns into a road that is closed; who is on it may leave.
-  void close(RoadId road, ClassTraffic& traffic) const {
-    const RoadGraph& graph = *traffic.graph;
-    const VertexId vertex = graph.vertex(road);
-    if (!vertex.valid() || !conditions_.closed(road, graph.vehicle_class())) return;
-    for (const Arc& turn : graph.turns().in(vertex)) traffic.turn_costs[turn.id.value] = infinity;
-  }
-
   [[nodiscard]] Millis until_route(std::size_t i) const {
     const Plan& plan = plans_[i];
     Millis until_depart = 0;
@@ -229,7 +211,7 @@ class Controller {
   }
 
   void apply(const Traveller& traveller, const Plan& plan, Decision& decision) {
-    const RoadGraph& graph = *graphs_[traveller.vehicle_class];
+    const RoadGraph& graph = traffic_.graph(traveller.vehicle_class);
     const bool has_way = !decision.route.empty();
     last_questions_[traveller.vehicle] = {
         .from = plan.route[plan.committed - 1], .news = news_, .had_answer = has_way};
@@ -239,24 +221,49 @@ class Controller {
     for (const VertexId vertex : decision.route) route.push_back(graph.road(vertex));
     // SUMO may end a vehicle at once that is told to drive from its road back to the same road (13628).
     if (decision.change && route.front() == route.back()) decision.change = false;
+    if (decision.change && !follows(traveller.vehicle)) {
+      decision.change = false;
+      ++result_.ignored;
+    }
     if (decision.change) {
       decision.change = simulation_.assign(traveller.vehicle, route);
       ++(decision.change ? result_.reroutes : result_.refused);
       if (decision.change && strategy_.looks_ahead()) fleet_.on_route(traveller.vehicle, route);
     }
+    predict(traveller, decision);
     if (options_.log_decisions) log(traveller, decision);
   }
 
-  void log(const Traveller& traveller, const Decision& decision) {
-    const RoadGraph& graph = *graphs_[traveller.vehicle_class];
+  /// Drawn for each vehicle and moment: the same in every run with this seed, whatever the threads.
+  [[nodiscard]] bool follows(VehicleId vehicle) const {
+    if (options_.compliance >= 1) return true;
+    return unit_hash(fmt::format("{}#{}#{}", demand_.vehicles[vehicle].id, simulation_.now(),
+                                 options_.seed)) < options_.compliance;
+  }
+
+  /// When it arrives on the way that was chosen.
+  [[nodiscard]] Millis predicted_arrival(const Traveller& traveller, const Decision& decision) const {
     const Millis cost = decision.change ? decision.new_cost : decision.old_cost;
+    return arrival(traveller, decision, simulation_.now(), cost);
+  }
+
+  void predict(const Traveller& traveller, const Decision& decision) {
+    if (decision.change) ledger_.changed_way(traveller.vehicle);
+    const auto& way = decision.change ? decision.route : traveller.route;
+    const Millis measured = route_cost(traffic_[traveller.vehicle_class], way);
+    ledger_.predicted(traveller.vehicle, simulation_.now(), predicted_arrival(traveller, decision),
+                      arrival(traveller, {}, simulation_.now(), measured));
+  }
+
+  void log(const Traveller& traveller, const Decision& decision) {
+    const RoadGraph& graph = traffic_.graph(traveller.vehicle_class);
     LoggedDecision entry{.time = simulation_.now(),
                          .vehicle = traveller.vehicle,
                          .old_route = {},
                          .new_route = {},
                          .old_cost = decision.old_cost,
                          .new_cost = decision.new_cost,
-                         .predicted_arrival = traveller.arrival(simulation_.now(), cost)};
+                         .predicted_arrival = predicted_arrival(traveller, decision)};
     for (const VertexId vertex : traveller.route) entry.old_route.push_back(graph.road(vertex));
     if (decision.change) {
       for (const VertexId vertex : decision.route) entry.new_route.push_back(graph.road(vertex));
@@ -276,15 +283,13 @@ class Controller {
   Conditions conditions_;
   Fleet fleet_;  ///< kept for those who look ahead
   IdVector<SignalId, SignalProgramme> programmes_;
+  PredictionLedger ledger_;
   IdVector<VehicleId, Question> last_questions_;
+  LiveTraffic traffic_;
   std::vector<SignalId> changed_signals_;
   Millis next_sample_ = 0;
   Millis next_adaptation_ = 0;
   std::uint32_t news_ = 0;  ///< how often there was something new to decide by
-  std::array<std::optional<std::size_t>, 64> class_index_;
-  std::vector<std::unique_ptr<RoadGraph>> graphs_;
-  std::vector<ClassTraffic> traffic_;
-  std::vector<bool> fresh_;  ///< the classes whose traffic is that of the last sample
   std::vector<VehicleId> due_;
   std::vector<Traveller> travellers_;
   std::vector<Plan> plans_;  ///< of the travellers

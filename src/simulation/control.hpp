@@ -8,6 +8,7 @@
 #include "demand/demand.hpp"
 #include "network/lane_changes.hpp"
 #include "routing/strategy.hpp"
+#include "simulation/forecast_error.hpp"
 #include "simulation/simulation.hpp"
 
 namespace thalweg {
@@ -19,6 +20,8 @@ struct ControlOptions {
   Millis watch_interval = 3'000;        ///< the same for a strategy that looks ahead
   Millis adaptation_interval = 10'000;  ///< between two updates of the travel times that strategies see
   double share = 1.0;                   ///< share of the vehicles that is ours
+  double compliance = 1.0;              ///< probability that a driver follows a piece of advice
+  std::uint64_t seed = 0;               ///< of the draws for it
   Millis stall = 3'600'000;             ///< without an end, stop when nothing has arrived for so long
   TurnPenalties penalties{};
   std::vector<LaneChange> lane_changes{};  ///< closed roads and slow ones, noticed when they begin
@@ -43,9 +46,11 @@ struct RunResult {
   std::uint64_t decisions = 0;
   std::uint64_t reroutes = 0;
   std::uint64_t refused = 0;      ///< routes that SUMO did not take
+  std::uint64_t ignored = 0;      ///< changes that the driver did not follow
   std::uint64_t unreachable = 0;  ///< times that there was no way from the road where a vehicle was
   double router_cpu_s = 0;        ///< measuring, deciding and handing over
   double simulation_cpu_s = 0;
+  ForecastError forecast_error{};
   std::vector<LoggedDecision> log;
   IdVector<VehicleId, Millis> arrival;  ///< infinity: not arrived
 };

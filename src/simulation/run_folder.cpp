@@ -48,7 +48,7 @@ std::string device_of(std::string_view option) {
   return std::string(option.substr(0, option.find('.')));
 }
 
-/// The mean speeds of every road, from which maps are drawn.
+/// The mean speeds of every road: maps are drawn from them, and the relative gap is computed.
 fs::path write_edge_data(const fs::path& folder) {
   fs::path file = folder / "thalweg.add.xml";
   xml::Writer writer(file, "written by thalweg");
@@ -56,6 +56,9 @@ fs::path write_edge_data(const fs::path& folder) {
   writer.open("edgeData")
       .attribute("id", "thalweg")
       .attribute("file", "edgedata.xml")
+      .attribute("period", "300")
+      .attribute("withInternal", "true")
+      .attribute("writeAttributes", "traveltime sampledSeconds speed entered left")
       .attribute("excludeEmpty", "true");
   writer.commit();
   return file;
@@ -75,10 +78,16 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
     if (is_replaced(name) || option == nullptr) continue;
     run.set(name, SumoOptions::is_output(name, option->second) ? places.place(value, home) : value);
   }
-  RunFolder result{
-      .folder = home, .configuration = home / "run.sumocfg", .tripinfo = {}, .statistics = {}, .errors = {}};
+  RunFolder result{.folder = home,
+                   .configuration = home / "run.sumocfg",
+                   .tripinfo = {},
+                   .statistics = {},
+                   .routes = {},
+                   .edge_data = home / "edgedata.xml",
+                   .errors = {}};
   result.tripinfo = readable_output(run, places, "tripinfo-output", "tripinfo.xml");
   result.statistics = readable_output(run, places, "statistic-output", "statistics.xml");
+  result.routes = readable_output(run, places, "vehroute-output", "vehroutes.xml");
   for (const auto& name :
        options.names()) {  // else a vehicle's device writes to where the program was started
     const bool names_file = name.starts_with("device.") && name.ends_with(".file");
@@ -87,7 +96,7 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
   if (!run.find("error-log")) run.set("error-log", places.place("sumo.log", home));
   result.errors = *run.find("error-log");
   // What an earlier run left here must not be read as this one's, should SUMO write elsewhere or not at all.
-  for (const fs::path& file : {result.tripinfo, result.statistics, result.errors}) {
+  for (const fs::path& file : {result.tripinfo, result.statistics, result.routes, result.errors}) {
     std::error_code ignored;
     if (file.is_absolute() && fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
   }

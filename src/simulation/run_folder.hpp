@@ -16,7 +16,9 @@ struct RunFolder {
   std::filesystem::path configuration;  ///< run.sumocfg: plain `sumo -c` repeats a baseline that has no `via`
   std::filesystem::path tripinfo;
   std::filesystem::path statistics;
-  std::filesystem::path errors;  ///< SUMO's warnings and errors
+  std::filesystem::path routes;     ///< of vehicles, as driven
+  std::filesystem::path edge_data;  ///< travel times by intervals of five minutes, junctions included
+  std::filesystem::path errors;     ///< SUMO's warnings and errors
 };
 
 /// Makes the folder ready: the user's configuration with the prepared demand in place of his, outputs and

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "graph/road_graph.hpp"
 #include "network/lane_changes.hpp"
 
 namespace thalweg {
@@ -23,14 +24,21 @@ class Conditions {
   [[nodiscard]] std::span<const RoadId> roads() const { return roads_; }
   /// No lane may be used by this class now.
   [[nodiscard]] bool closed(RoadId road, VehicleClass vehicle_class) const;
+  /// The turns that this graph's class may not take now, though the net permits them: into a closed road, or
+  /// between lanes that are closed. Who is on a road that is wholly closed may leave it.
+  [[nodiscard]] std::vector<ArcId> closed_turns(const RoadGraph& graph) const;
   /// Time to cross the road at its limit of now, in s; of its fastest lane.
   [[nodiscard]] double crossing(RoadId road) const;
 
  private:
+  /// Whether this class may use the lane now.
+  [[nodiscard]] bool open(LaneId lane, VehicleClass vehicle_class) const;
+
   const Network& network_;
   std::vector<LaneChange> changes_;
   std::vector<bool> active_;
   std::vector<RoadId> roads_;
+  std::vector<ConnectionId> connections_;  ///< from or to these roads
   std::uint32_t version_ = 0;
 };
 

@@ -37,6 +37,14 @@ void Fleet::on_route(VehicleId vehicle, std::span<const RoadId> rest) {
   own.route.insert(own.route.end(), rest.begin(), rest.end());
 }
 
+void Fleet::on_plan(VehicleId vehicle, std::span<const RoadId> rest) {
+  const FleetVehicle& own = vehicles_[vehicle];
+  const auto ahead =
+      own.route.begin() + static_cast<std::ptrdiff_t>(std::min(own.position, own.route.size()));
+  const auto known = std::find(ahead, own.route.end(), rest.front());
+  if (!std::equal(known, own.route.end(), rest.begin(), rest.end())) on_route(vehicle, rest);
+}
+
 void Fleet::on_observed(const Network& network, std::span<const Observation> observations) {
   forget_gone();
   for (const VehicleId vehicle : present_) vehicles_[vehicle].is_lost = true;

@@ -34,10 +34,13 @@ class Fleet {
   void on_arrived(VehicleId vehicle);
   /// It drives this from route[position] on.
   void on_route(VehicleId vehicle, std::span<const RoadId> rest);
+  /// What it drives from where it is on, as SUMO has it: another way where somebody else re-routed it.
+  void on_plan(VehicleId vehicle, std::span<const RoadId> rest);
   /// The vehicles on the roads now. Those not among them are lost until they are seen again.
   void on_observed(const Network& network, std::span<const Observation> observations);
 
   [[nodiscard]] const FleetVehicle& operator[](VehicleId vehicle) const { return vehicles_[vehicle]; }
+  [[nodiscard]] std::size_t size() const { return vehicles_.size(); }
   /// Those that are not away, in the order in which they were loaded.
   [[nodiscard]] std::span<const VehicleId> present() const { return present_; }
 

@@ -35,6 +35,8 @@ class MeasuredTimes {
 
   void sample(std::span<const Observation> vehicles);
 
+  /// Over which passages are counted, in s.
+  [[nodiscard]] double window() const { return static_cast<double>(ring_.size()) * interval_; }
   [[nodiscard]] Passage passage(RoadId road) const {
     return {.vehicle_seconds = static_cast<double>(seen_[road].count) * interval_,
             .traversals = length_[road] > 0 ? static_cast<double>(seen_[road].sum) * interval_ /

@@ -13,7 +13,6 @@ constexpr float still_there = std::numeric_limits<float>::infinity();
 
 void QueueForecast::Queue::clear() {
   movers.clear();
-  passed.clear();
   head = 0;
   free_at = -1e9;
   blocked_since = -1;
@@ -29,9 +28,10 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       horizon_(to_seconds(options.bin) * static_cast<double>(options.bins)),
       seconds_(static_cast<std::size_t>(horizon_) + 1),
       queues_(network.lanes.size()),
+      passed_(network.lanes.size()),
       occupancy_(network.roads.size()),
       next_insertion_(network.roads.size()),
-      wait_(network.roads.size() * options.bins, 0.0F) {}
+      table_(network, options.bin, options.bins) {}
 
 void QueueForecast::observe(const Fleet& fleet, Millis now) {
   for (const VehicleId vehicle : fleet.present()) {
@@ -43,16 +43,22 @@ void QueueForecast::observe(const Fleet& fleet, Millis now) {
   while (!recent_.empty() && recent_.front().time < now - 2 * options_.repeated) recent_.pop_front();
 }
 
-void QueueForecast::run(const Fleet& fleet, Millis now) {
-  for (const LaneId lane : used_) queues_[lane].clear();
+void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
+  pace_ = level.pace();
+  junction_pace_ = level.junction_pace();
+  for (const LaneId lane : used_) {
+    queues_[lane].clear();
+    passed_[lane].clear();
+  }
   used_.clear();
   movers_.clear();
   for (auto& events : seconds_) events.clear();
   second_ = 0;
   occupancy_.assign(occupancy_.size(), 0);
   next_insertion_.assign(next_insertion_.size(), -1e9);
-  for (const VehicleId vehicle : fleet.present()) place(fleet[vehicle], to_seconds(now));
-  if (options_.repeated > 0) repeat_departures(fleet, now);
+  insertion_.assign(fleet.size(), 0);
+  for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], to_seconds(now));
+  assume_departures(fleet, now);
   // A heap a second and not one for all: most events are far off, and need no order among themselves yet.
   for (second_ = 0; second_ < seconds_.size(); ++second_) {
     auto& events = seconds_[second_];
@@ -64,13 +70,15 @@ void QueueForecast::run(const Fleet& fleet, Millis now) {
       handle(event);
     }
   }
-  tabulate();
+  table_.tabulate(servers_, discharge_, passed_);
 }
 
-void QueueForecast::place(const FleetVehicle& vehicle, double now) {
+void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now) {
   if (vehicle.route.empty()) return;
   if (vehicle.state == FleetVehicle::State::waiting) {
-    add(vehicle.route, 0, std::max(0.0, to_seconds(vehicle.depart) - now), Kind::departs, {});
+    insertion_[id] = from_seconds(horizon_);  // unless its turn comes
+    add({.route = &vehicle.route, .position = 0, .vehicle = id},
+        std::max(0.0, to_seconds(vehicle.depart) - now), Kind::departs);
     return;
   }
   if (vehicle.is_lost || !vehicle.lane.valid()) return;
@@ -79,33 +87,44 @@ void QueueForecast::place(const FleetVehicle& vehicle, double now) {
   LaneId preferred = vehicle.lane;
   if (vehicle.on_junction) {
     position = std::min(position + 1, vehicle.route.size() - 1);
-    time = 1 + servers_.free_flow(vehicle.route[position]);
+    time = 1 + crossing(vehicle.route[position]);
     preferred = {};
   } else {
     const double length = network_.lanes[vehicle.lane].length;
     const double left = length > 0 ? std::max(0.0, 1 - vehicle.metres / length) : 0;
-    time = left * servers_.free_flow(vehicle.route[position]);
+    time = left * crossing(vehicle.route[position]);
   }
   ++occupancy_[vehicle.route[position]];
-  add(vehicle.route, position, time, Kind::reaches_end, preferred);
+  add({.route = &vehicle.route, .position = position, .preferred = preferred}, time, Kind::reaches_end);
 }
 
-void QueueForecast::repeat_departures(const Fleet& fleet, Millis now) {
+void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
   Millis known_until = now;  // SUMO has loaded everybody up to here
   for (const VehicleId vehicle : fleet.present()) known_until = std::max(known_until, fleet[vehicle].depart);
+  if (expected_.empty()) {
+    if (options_.repeated > 0) repeat_departures(known_until, now);
+    return;
+  }
+  auto next = std::upper_bound(expected_.begin(), expected_.end(), known_until,
+                               [](Millis time, const Departure& departure) { return time < departure.time; });
+  for (; next != expected_.end() && to_seconds(next->time - now) <= horizon_; ++next)
+    add({.route = &next->route, .position = 0}, to_seconds(next->time - now), Kind::departs);
+}
+
+void QueueForecast::repeat_departures(Millis known_until, Millis now) {
   for (const Departure& departure : recent_) {
     if (departure.time <= known_until - options_.repeated || departure.time > known_until) continue;
     for (Millis time = departure.time + options_.repeated; to_seconds(time - now) <= horizon_;
          time += options_.repeated) {
-      if (time > known_until) add(departure.route, 0, to_seconds(time - now), Kind::departs, {});
+      if (time > known_until)
+        add({.route = &departure.route, .position = 0}, to_seconds(time - now), Kind::departs);
     }
   }
 }
 
-void QueueForecast::add(const std::vector<RoadId>& route, std::size_t position, double time, Kind kind,
-                        LaneId preferred) {
+void QueueForecast::add(const Mover& mover, double time, Kind kind) {
   if (time > horizon_) return;
-  movers_.push_back({.route = &route, .position = position, .preferred = preferred});
+  movers_.push_back(mover);
   push(time, kind, static_cast<std::uint32_t>(movers_.size() - 1));
 }
 
@@ -133,14 +152,15 @@ void QueueForecast::depart(const Event& event) {
   const RoadId road = mover.route->front();
   if (occupancy_[road] >= servers_.storage(road) * options_.full)
     return push(event.time + options_.insertion_retry, Kind::departs, event.subject);
-  if (!mover.booked) {
-    mover.booked = true;
+  if (!mover.has_turn) {
+    mover.has_turn = true;
     const double turn = next_insertion_[road];
     next_insertion_[road] = std::max(turn, event.time) + discharge_.insertion_headway(road);
     if (event.time < turn) return push(turn, Kind::departs, event.subject);
   }
   ++occupancy_[road];
-  push(event.time + servers_.free_flow(road), Kind::reaches_end, event.subject);
+  if (mover.vehicle.valid()) insertion_[mover.vehicle] = from_seconds(event.time);
+  push(event.time + crossing(road), Kind::reaches_end, event.subject);
 }
 
 void QueueForecast::reach_end(const Event& event) {
@@ -166,7 +186,7 @@ void QueueForecast::reach_end(const Event& event) {
   Queue& queue = queues_[shortest];
   if (queue.movers.empty()) used_.push_back(shortest);
   queue.movers.push_back(event.subject);
-  queue.passed.push_back({.arrived = mover.arrived, .left = still_there});
+  passed_[shortest].push_back({.arrived = mover.arrived, .left = still_there});
   if (!queue.is_active) schedule_head(shortest);
 }
 
@@ -191,7 +211,7 @@ void QueueForecast::leave(const Event& event) {
       return push(event.time + options_.blocked_retry, Kind::leaves, lane.value);
   }
   queue.blocked_since = -1;
-  queue.passed[queue.head].left = static_cast<float>(event.time);
+  passed_[lane][queue.head].left = static_cast<float>(event.time);
   ++queue.head;
   queue.is_active = false;
   const Movement& movement = servers_[mover.movement];
@@ -199,62 +219,8 @@ void QueueForecast::leave(const Event& event) {
   --occupancy_[road];
   ++occupancy_[next];
   ++mover.position;
-  push(event.time + movement.through + servers_.free_flow(next), Kind::reaches_end, subject);
+  push(event.time + junction_pace_ * movement.through + crossing(next), Kind::reaches_end, subject);
   if (queue.head < queue.movers.size()) schedule_head(lane);
-}
-
-void QueueForecast::tabulate() {
-  const std::size_t bins = options_.bins;
-  lane_wait_.resize(bins);
-  for (std::size_t i = 0; i < network_.roads.size(); ++i) {
-    const Road& road = network_.roads[RoadId{i}];
-    if (road.function != RoadFunction::normal) continue;
-    const std::span<float> waits(wait_.data() + i * bins, bins);
-    std::size_t total = 0;
-    for (std::uint32_t k = 0; k < road.lane_count; ++k)
-      total += queues_[LaneId{road.first_lane.value + k}].passed.size();
-    if (total == 0) {  // nobody will be there: what each turn's best lane takes, in the mean
-      float sum = 0;
-      for (std::size_t m = servers_.first_of(RoadId{i}); m < servers_.last_of(RoadId{i}); ++m) {
-        double least = servers_.means(servers_.lanes(MovementId{m}).front()).delay;
-        for (const LaneId lane : servers_.lanes(MovementId{m}))
-          least = std::min(least, servers_.means(lane).delay);
-        sum += static_cast<float>(least);
-      }
-      const std::size_t count = servers_.last_of(RoadId{i}) - servers_.first_of(RoadId{i});
-      std::fill(waits.begin(), waits.end(), count > 0 ? sum / static_cast<float>(count) : 0.0F);
-      continue;
-    }
-    std::fill(waits.begin(), waits.end(), 0.0F);
-    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
-      const LaneId lane{road.first_lane.value + k};
-      const std::size_t own = queues_[lane].passed.size();
-      if (own == 0) continue;
-      tabulate_lane(lane, lane_wait_);
-      const float weight = static_cast<float>(own) / static_cast<float>(total);
-      for (std::size_t b = 0; b < bins; ++b) waits[b] += weight * lane_wait_[b];
-    }
-  }
-}
-
-void QueueForecast::tabulate_lane(LaneId lane, std::span<float> waits) const {
-  const auto& passed = queues_[lane].passed;
-  const Servers::LaneMeans& means = servers_.means(lane);
-  const double headway = means.headway * discharge_.factor(lane);
-  const double bin = to_seconds(options_.bin);
-  std::size_t next = 0;
-  double last_left = -1e9;
-  for (std::size_t b = 0; b < waits.size(); ++b) {
-    const double time = (static_cast<double>(b) + 0.5) * bin;
-    for (; next < passed.size() && passed[next].arrived <= time; ++next) {
-      const float left = passed[next].left;
-      // Who is still there at the horizon leaves after the one before, and not before the horizon.
-      last_left = left < still_there ? static_cast<double>(left) : std::max(last_left + headway, horizon_);
-    }
-    double leave = time + means.delay;
-    if (next > 0) leave = std::max(leave, last_left + headway);
-    waits[b] = static_cast<float>(leave - time);
-  }
 }
 
 }  // namespace thalweg

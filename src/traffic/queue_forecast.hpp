@@ -7,6 +7,8 @@
 
 #include "traffic/discharge.hpp"
 #include "traffic/fleet.hpp"
+#include "traffic/level.hpp"
+#include "traffic/queue_table.hpp"
 #include "traffic/servers.hpp"
 
 namespace thalweg {
@@ -22,28 +24,32 @@ struct ForecastOptions {
 };
 
 /// Where the queues will be: everybody on the roads, waiting or loaded drives its present route from lane to
-/// lane, each lane a FIFO server with room for so many, over the next minutes. Gives the time that one waits
-/// at the end of each road, by the time of reaching the queue. Later departures that nobody knows yet are
-/// assumed to be those of the last minutes again.
+/// lane, each lane a FIFO server with room for so many, over the next minutes. Gives what one meets at the
+/// end of each road, by the time of reaching the queue. Later departures that nobody knows yet are assumed to
+/// be those of the last minutes again.
 ///
 /// An event-based point-queue model with spillback (cf. Charypar, Axhausen, Nagel, Transportation Research
-/// Record 2003, 2007); waits are of the road, the same for every turn: with waits a turn, vehicles are lured
-/// into a free lane that they must leave again.
+/// Record 2003, 2007).
 class QueueForecast {
  public:
   QueueForecast(const Network& network, const Servers& servers, const Discharge& discharge,
                 const ForecastOptions& options = {});
 
+  struct Departure {
+    Millis time;
+    std::vector<RoadId> route;
+  };
+  /// Who will depart, by time, as far as SUMO has not loaded them: known from elsewhere and not assumed.
+  void expect(std::vector<Departure> departures) { expected_ = std::move(departures); }
   /// Notes who departs, for the assumed demand. At every look.
   void observe(const Fleet& fleet, Millis now);
-  /// Looks ahead from the fleet's present state.
-  void run(const Fleet& fleet, Millis now);
+  /// Looks ahead from the fleet's present state; roads take their free flow times the level's pace.
+  void run(const Fleet& fleet, const Level& level, Millis now);
 
-  /// s at the end of a road for one that reaches it in bin `bin` from now on.
-  [[nodiscard]] float wait(RoadId road, std::size_t bin) const {
-    return wait_[road.value * options_.bins + bin];
-  }
-  [[nodiscard]] const ForecastOptions& options() const { return options_; }
+  [[nodiscard]] const QueueTable& table() const { return table_; }
+  /// When a vehicle that waited at the last run gets on its first road, from then on; the horizon when later,
+  /// 0 when it was not there.
+  [[nodiscard]] Millis insertion(VehicleId vehicle) const { return insertion_[vehicle]; }
 
  private:
   /// A vehicle of the forecast: a real one, or one that is assumed.
@@ -52,12 +58,9 @@ class QueueForecast {
     std::size_t position;
     MovementId movement{};
     LaneId preferred{};
-    float arrived = 0;    ///< s from now: at the end of its road
-    bool booked = false;  ///< has its turn of insertion
-  };
-  struct Passed {
-    float arrived;
-    float left;  ///< infinity: still there at the horizon
+    float arrived = 0;      ///< s from now: at the end of its road
+    bool has_turn = false;  ///< of insertion
+    VehicleId vehicle{};    ///< invalid: one that is assumed
   };
   struct Queue {
     std::vector<std::uint32_t> movers;
@@ -65,7 +68,6 @@ class QueueForecast {
     double free_at = -1e9;      ///< s from now: the server is done with the last
     double blocked_since = -1;  ///< s from now; below 0: it is not
     bool is_active = false;
-    std::vector<Passed> passed;
     void clear();
   };
   enum class Kind : std::uint8_t { reaches_end, leaves, departs };
@@ -79,28 +81,27 @@ class QueueForecast {
     }
   };
 
-  void place(const FleetVehicle& vehicle, double now);
-  void repeat_departures(const Fleet& fleet, Millis now);
-  void add(const std::vector<RoadId>& route, std::size_t position, double time, Kind kind, LaneId preferred);
+  void place(VehicleId id, const FleetVehicle& vehicle, double now);
+  void assume_departures(const Fleet& fleet, Millis now);
+  void repeat_departures(Millis known_until, Millis now);
+  void add(const Mover& mover, double time, Kind kind);
+  [[nodiscard]] double crossing(RoadId road) const { return pace_ * servers_.free_flow(road); }
   void handle(const Event& event);
   void depart(const Event& event);
   void reach_end(const Event& event);
   void leave(const Event& event);
   void schedule_head(LaneId lane);
   void push(double time, Kind kind, std::uint32_t subject);
-  void tabulate();
-  void tabulate_lane(LaneId lane, std::span<float> waits) const;
 
   const Network& network_;
   const Servers& servers_;
   const Discharge& discharge_;
   ForecastOptions options_;
   double horizon_;
+  double pace_ = 1;
+  double junction_pace_ = 1;
 
-  struct Departure {
-    Millis time;
-    std::vector<RoadId> route;
-  };
+  std::vector<Departure> expected_;
   std::deque<Departure> recent_;
   Millis noted_until_ = -1;
 
@@ -108,11 +109,12 @@ class QueueForecast {
   std::vector<std::vector<Event>> seconds_;  ///< events to come, by the second in which they are
   std::size_t second_ = 0;                   ///< at hand: its events are a heap
   IdVector<LaneId, Queue> queues_;
+  IdVector<LaneId, std::vector<Passed>> passed_;
   std::vector<LaneId> used_;  ///< queues that are not as new
   IdVector<RoadId, int> occupancy_;
   IdVector<RoadId, double> next_insertion_;
-  std::vector<float> wait_;
-  std::vector<float> lane_wait_;  ///< scratch of tabulate
+  IdVector<VehicleId, Millis> insertion_;
+  QueueTable table_;
 };
 
 }  // namespace thalweg

@@ -60,6 +60,7 @@ Servers::Servers(const Network& network, const ServerOptions& options)
     : network_(network),
       options_(options),
       means_(network.lanes.size()),
+      ends_(network.roads.size(), RoadEnd::major),
       free_flow_(network.roads.size(), 0),
       storage_(network.roads.size(), options.least_storage),
       links_(network.signals.size()) {
@@ -122,6 +123,7 @@ Servers::Servers(const Network& network, const ServerOptions& options)
     const auto& programmes = network.signals[SignalId{i}].programmes;
     if (!programmes.empty()) set_programme(SignalId{i}, programmes.front());
   }
+  find_ends(network);
   refresh_means(network);
 }
 
@@ -155,6 +157,21 @@ MovementId Servers::find(RoadId from, RoadId to) const {
     if (movements_[MovementId{i}].to == to) return MovementId{i};
   }
   return {};
+}
+
+void Servers::find_ends(const Network& network) {
+  IdVector<RoadId, std::size_t> minor(network.roads.size(), 0);
+  IdVector<RoadId, std::size_t> all(network.roads.size(), 0);
+  for (const Connection& c : network.connections) {
+    ++all[c.from];
+    if (c.state == 'm' || c.state == 's' || c.state == 'w' || c.state == '=') ++minor[c.from];
+    if (c.signal.valid() && c.link_index >= 0) ends_[c.from] = RoadEnd::signal;
+  }
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    const RoadId road{i};
+    if (ends_[road] == RoadEnd::signal || minor[road] == 0) continue;
+    ends_[road] = minor[road] == all[road] ? RoadEnd::minor : RoadEnd::mixed;
+  }
 }
 
 void Servers::refresh_means(const Network& network) {

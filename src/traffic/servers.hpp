@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,11 @@ struct Movement {
   double headway = 2;  ///< s between two vehicles that leave a lane one after the other
   double delay = 0;    ///< s that a vehicle waits at the stop line though nobody is before it
 };
+
+/// What those meet who reach the end of a road: nobody has to give way, some turns have to, all have to; a
+/// signal.
+enum class RoadEnd : std::uint8_t { major, mixed, minor, signal };
+inline constexpr std::size_t road_end_count = 4;
 
 struct ServerOptions {
   double saturation_headway = 2;  ///< s, of a lane that has green or the right of way
@@ -55,7 +61,8 @@ class Servers {
   };
   [[nodiscard]] const LaneMeans& means(LaneId lane) const { return means_[lane]; }
   [[nodiscard]] double free_flow(RoadId road) const { return free_flow_[road]; }  ///< s
-  [[nodiscard]] double storage(RoadId road) const { return storage_[road]; }      ///< vehicles
+  [[nodiscard]] RoadEnd end(RoadId road) const { return ends_[road]; }
+  [[nodiscard]] double storage(RoadId road) const { return storage_[road]; }  ///< vehicles
 
  private:
   struct Link {
@@ -63,6 +70,7 @@ class Servers {
     int index;
   };
   void refresh_means(const Network& network);
+  void find_ends(const Network& network);
 
   const Network& network_;
   ServerOptions options_;
@@ -71,6 +79,7 @@ class Servers {
   std::vector<std::uint32_t> lane_first_;
   std::vector<LaneId> lanes_;
   IdVector<LaneId, LaneMeans> means_;
+  IdVector<RoadId, RoadEnd> ends_;
   IdVector<RoadId, double> free_flow_;
   IdVector<RoadId, double> storage_;
   IdVector<SignalId, std::vector<Link>> links_;

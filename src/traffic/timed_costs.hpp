@@ -4,11 +4,23 @@
 #include <vector>
 
 #include "graph/road_graph.hpp"
+#include "traffic/bookings.hpp"
 #include "traffic/conditions.hpp"
-#include "traffic/queue_forecast.hpp"
+#include "traffic/level.hpp"
 #include "traffic/residuals.hpp"
+#include "traffic/servers.hpp"
 
 namespace thalweg {
+
+/// What the costs are made of.
+struct Expectation {
+  const QueueTable& forecast;
+  const Bookings& bookings;
+  const Servers& servers;
+  const Level& level;
+  const Residuals& residuals;
+  const Conditions& conditions;
+};
 
 /// The time of every turn by the time of entering the road that is left, as one class will find it: the
 /// paper's f(t, I) over the horizon of a forecast. Piecewise linear, and made so that leaving later never
@@ -17,12 +29,13 @@ class TimedCosts {
  public:
   TimedCosts(const Network& network, const RoadGraph& graph);
 
-  /// What it costs to turn into a road that is closed.
+  /// What a turn costs that is closed.
   static constexpr Millis closed = 100'000'000;
 
   /// From a forecast made at `now`.
-  void refresh(const QueueForecast& forecast, const Residuals& residuals, const Conditions& conditions,
-               Millis now);
+  void refresh(const Expectation& expected, Millis now);
+  /// One road again, after bookings on it.
+  void refresh(const Expectation& expected, RoadId road);
 
   [[nodiscard]] Millis arrive(ArcId turn, Millis entry) const {
     const Millis since = std::clamp<Millis>(entry - now_, 0, horizon_);
@@ -32,12 +45,20 @@ class TimedCosts {
     const Millis at = cost[0];
     return entry + (within == 0 ? at : at + (cost[1] - at) * within / bin_);
   }
+  /// What those behind wait longer for one that enters the road at this time (QueueTable::toll).
+  [[nodiscard]] Millis toll(VertexId road, Millis entry) const {
+    const Millis since = std::clamp<Millis>(entry - now_, 0, horizon_);
+    return tolls_[road.value * nodes_ + static_cast<std::size_t>(since / bin_)];
+  }
   /// Nobody in the way: never above what `arrive` takes. By turn.
   [[nodiscard]] const std::vector<Millis>& free_flow() const { return free_flow_; }
   /// To cross the road itself.
   [[nodiscard]] Millis road_time(RoadId road) const { return road_times_[road]; }
 
  private:
+  void refresh_vertex(const Expectation& expected, VertexId v);
+  void take_conditions(const Conditions& conditions);
+
   const RoadGraph& graph_;
   RoadTimes road_times_;
   std::vector<Millis> free_flow_;
@@ -46,6 +67,11 @@ class TimedCosts {
   Millis horizon_ = 0;
   std::size_t nodes_ = 1;
   std::vector<std::int32_t> costs_;  ///< ms, by turn and bin
+  std::vector<std::int32_t> tolls_;  ///< ms, by road and bin
+  std::vector<double> fading_;       ///< of passing residuals, by bin
+  std::vector<double> slower_;       ///< s above free flow, by road
+  std::vector<bool> is_closed_;      ///< by turn
+  std::vector<double> delay_;        ///< scratch: s at one road, by bin
 };
 
 }  // namespace thalweg

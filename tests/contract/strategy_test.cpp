@@ -411,7 +411,7 @@ TEST(Strategies, AnUnknownNameIsAnErrorWithTheNearest) {
   const std::string message = input_error([] { make_strategy("evolve", {}); });
   EXPECT_EQ(message,
             "there is no strategy 'evolve' (did you mean 'evolved'?); there are: hybrid, evolved, forecast, "
-            "cch, dijkstra");
+            "booking, marginal, memory, cch, dijkstra");
 }
 
 TEST(ChoiceRule, BeforeDepartureTheRelativeGainIsLeftOut) {

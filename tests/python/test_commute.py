@@ -197,6 +197,10 @@ class Matrix(support.TestCase):
         write(self.work / "a.xml", "<other/>")
         self.assertNotEqual(hash_of(), first)
         self.assertEqual(hash_of("-r b.xml"), only_b)
+        closed = self.commute.PROJECT / "scenarios" / "commute" / "bologna-joined-closed.add.xml"
+        self.assertNotEqual(hash_of("-a {project}/scenarios/commute/" + closed.name), first)
+        self.assertEqual(self.commute.in_project("-a a.xml,{project}/b.xml"),
+                         ["-a", f"a.xml,{self.commute.PROJECT}/b.xml"])
 
     def test_runs_are_not_done_twice(self):
         said, calls = self.call("--arms", "static,device:probability=0.5,forecast", "--seeds", "1,2")

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "cch/lone_search.hpp"
 #include "cch/metric.hpp"
 #include "cch/sweep.hpp"
 #include "cch/width.hpp"
@@ -17,8 +18,9 @@
 namespace thalweg::testing {
 
 /// Holds every way to ask a hierarchy against Dijkstra's algorithm: sweep and lone search agree with it on
-/// the cost to every one of `destinations` from every vertex, and the walk from each of `origins` follows
-/// arcs that cost as much. Scratch is kept from one instance to the next, as the program does.
+/// the cost to every one of `destinations` from every vertex, the walk from each of `origins` follows arcs
+/// that cost as much, and the lone search finds the same way where it is the only one, and there only.
+/// Scratch is kept from one instance to the next, as the program does.
 template <CchWeight W>
 class CchOracle {
  public:
@@ -33,19 +35,21 @@ class CchOracle {
     }
   }
 
-  std::size_t reached = 0;  ///< pairs that are joined
+  std::size_t reached = 0;   ///< pairs that are joined
+  std::size_t only = 0;      ///< of these by one shortest way
+  std::size_t not_only = 0;  ///< by several
 
  private:
   void check_one(const CchTopology& topology, const Instance& instance, VertexId destination,
                  std::size_t lane, const std::vector<VertexId>& origins) {
     const Digraph& graph = instance.graph;
     dijkstra<Direction::backward>(graph, {&destination, 1}, instance, tree_, scratch_);
-    lazy_.start(topology, metric_, destination);
+    lone_.start(topology, metric_, destination);
     std::size_t different = 0;
     for (std::size_t v = 0; v < graph.vertex_count(); ++v) {
       const Millis least = tree_.label[VertexId{v}];
       const Millis swept = from_label(sweep_.cost(topology, VertexId{v}, lane));
-      const Millis alone = from_label(lazy_.cost(topology, metric_, VertexId{v}));
+      const Millis alone = from_label(lone_.cost(topology, metric_, VertexId{v}));
       different += swept != least || alone != least ? 1U : 0U;
     }
     ASSERT_EQ(different, 0U) << "of " << graph.vertex_count() << " costs to vertex " << destination.value;
@@ -59,7 +63,38 @@ class CchOracle {
       ASSERT_EQ(roads_.back(), destination);
       ASSERT_EQ(cost_of(instance, roads_), tree_.label[origin])
           << origin.value << " to " << destination.value;
+      check_only_way(topology, instance, origin);
     }
+  }
+
+  /// After the walk from `origin`, which `roads_` holds.
+  void check_only_way(const CchTopology& topology, const Instance& instance, VertexId origin) {
+    only_.assign(1, origin);
+    if (lone_.only_way(instance.graph, instance.costs, topology, metric_, origin, only_)) {
+      ++only;
+      ASSERT_EQ(only_, roads_);
+    } else {
+      ++not_only;
+      ASSERT_EQ(only_, std::vector<VertexId>{origin});
+    }
+    const bool is_only = only_ == roads_ && roads_.size() > 1;
+    const bool has_free_arcs =
+        std::any_of(instance.costs.begin(), instance.costs.end(), [](Millis cost) { return cost == 0; });
+    if (!has_free_arcs && roads_.size() > 1) {
+      ASSERT_EQ(is_only, std::all_of(roads_.begin(), roads_.end() - 1,
+                                     [&](VertexId v) { return is_clear(instance, v); }));
+    }
+  }
+
+  /// Whether the shortest ways from `v` agree on where to go next.
+  bool is_clear(const Instance& instance, VertexId v) const {
+    VertexId next;
+    for (const Arc& arc : instance.graph.out(v)) {
+      if (add_saturating(instance(arc.id), tree_.label[arc.end]) != tree_.label[v]) continue;
+      if (next.valid() && next != arc.end) return false;
+      next = arc.end;
+    }
+    return true;
   }
 
   /// Infinity where two vertices are not joined.
@@ -77,10 +112,11 @@ class CchOracle {
 
   CchMetric<W> metric_;
   CchSweep<W> sweep_;
-  CchLazyCosts<W> lazy_;
+  CchLoneSearch<W> lone_;
   Tree tree_;
   DijkstraScratch scratch_;
   std::vector<VertexId> roads_;
+  std::vector<VertexId> only_;
 };
 
 inline std::vector<VertexId> some_vertices(const Digraph& graph, std::size_t count, Dice& dice) {

@@ -53,4 +53,24 @@ struct Driven {
   Fleet fleet;
 };
 
+/// `count` vehicles at the end of AB, bound for D.
+inline Driven crowded(const Network& network, std::size_t count) {
+  Driven driven(network, count);
+  std::vector<Driven::At> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    driven.load(i, "ABCD");
+    places.push_back({.vehicle = i, .road = "AB", .metres = 299});
+  }
+  driven.look(places);
+  return driven;
+}
+
+/// Three minutes in which ten vehicles drive on this road at 3 m/s.
+inline MeasuredTimes slow_road(const Network& network, const char* id) {
+  MeasuredTimes measured(network, 180'000, 1'000);
+  for (int second = 0; second < 180; ++second)
+    measured.sample(std::vector<Observation>(10, {.road = road(network, id), .speed = 3}));
+  return measured;
+}
+
 }  // namespace thalweg::testing

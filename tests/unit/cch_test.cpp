@@ -112,6 +112,8 @@ TEST_P(CchOnRandomGraphs, CostsAreDijkstras) {
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(narrow.reached, 100'000U);
+  EXPECT_GT(narrow.only, 10'000U);
+  EXPECT_GT(narrow.not_only, 10'000U);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllTypes, CchOnRandomGraphs,
@@ -190,10 +192,36 @@ TEST(Cch, WhatIsTooFarFor32BitsIsNeverNear) {
     const VertexId end{3};
     CchSweep<W32> sweep;
     sweep.run(topology, metric, {&end, 1});
-    CchLazyCosts<W32> lazy;
-    lazy.start(topology, metric, end);
+    CchLoneSearch<W32> lone;
+    lone.start(topology, metric, end);
     EXPECT_GE(sweep.cost(topology, VertexId{0}, 0), cch_infinity<W32>) << cost;
-    EXPECT_GE(lazy.cost(topology, metric, VertexId{0}), cch_infinity<W32>) << cost;
+    EXPECT_GE(lone.cost(topology, metric, VertexId{0}), cch_infinity<W32>) << cost;
+  }
+}
+
+//     0 -> 1 -> 3 -> 4      over 1 or over 2: as dear as each other until 2 -> 3 costs one more; then 0 -> 3
+//      +-> 2 ---^           itself costs as much as the way over 1
+TEST(Cch, TheOnlyWayIsToldFromOneOfSeveral) {
+  const auto only_way = [](Millis last_of_other, Millis direct, std::initializer_list<std::uint32_t> order) {
+    const Instance net = make_instance(
+        5, {{0, 1, 2}, {0, 2, 2}, {1, 3, 2}, {2, 3, last_of_other}, {0, 3, direct}, {3, 4, 7}, {3, 4, 7}});
+    const CchTopology topology(net.graph, postordered(net.graph, vertices(order)));
+    CchMetric<W32> metric;
+    metric.customise(topology, net.costs);
+    CchLoneSearch<W32> search;
+    search.start(topology, metric, VertexId{4});
+    EXPECT_EQ(search.cost(topology, metric, VertexId{0}), 11U);
+    std::vector<VertexId> way;
+    const bool is_only = search.only_way(net.graph, net.costs, topology, metric, VertexId{0}, way);
+    EXPECT_EQ(is_only, !way.empty());
+    return way;
+  };
+  // Where ways part and meet: above both, in between, below both.
+  for (const auto order :
+       {std::initializer_list<std::uint32_t>{1, 2, 0, 3, 4}, {0, 1, 2, 3, 4}, {0, 4, 3, 1, 2}}) {
+    EXPECT_TRUE(only_way(2, 9, order).empty());
+    EXPECT_EQ(only_way(3, 9, order), vertices({1, 3, 4})) << "the double arc is one way";
+    EXPECT_TRUE(only_way(3, 4, order).empty());
   }
 }
 

@@ -214,6 +214,54 @@ TEST_F(Control, OnlyTheShareIsOursAndTheSameEachTime) {
   EXPECT_EQ(ours(1).size(), 1'000U);
 }
 
+TEST_F(Control, AdviceIsFollowedAsOftenAsDriversComply) {
+  const auto assigned = [&](double compliance, std::uint64_t seed) {
+    FakeSimulation simulation(net, fleet(net, 1'000, "SABT"));
+    Recorder recorder;
+    recorder.answer = [&](std::span<const ClassTraffic> traffic, const Traveller& traveller) {
+      const bool at_start = traveller.route.size() == 3;
+      return Decision{.change = at_start, .route = vertex_way(net, *traffic[0].graph, "SACDBT")};
+    };
+    const RunResult result =
+        run(simulation, net, recorder, {.period = 1'000'000, .compliance = compliance, .seed = seed});
+    EXPECT_GE(result.reroutes + result.ignored, 1'000U) << "a few are asked twice";
+    std::set<VehicleId> vehicles;
+    for (const Assignment& assignment : simulation.assignments) vehicles.insert(assignment.vehicle);
+    EXPECT_EQ(vehicles.size(), result.reroutes);
+    return vehicles;
+  };
+  const auto third = assigned(0.3, 1);
+  EXPECT_NEAR(static_cast<double>(third.size()), 300, 50);
+  EXPECT_EQ(assigned(0.3, 1), third);
+  EXPECT_NE(assigned(0.3, 2), third);
+  EXPECT_TRUE(assigned(0, 1).empty());
+  EXPECT_EQ(assigned(1, 1).size(), 1'000U);
+}
+
+/// Notes whether its changes came to something.
+class Informed : public Recorder {
+ public:
+  void applied(std::span<const Traveller> /*due*/, std::span<const Decision> decisions) override {
+    for (const Decision& decision : decisions) changes.push_back(decision.change);
+  }
+  std::vector<bool> changes;
+};
+
+TEST_F(Control, AStrategyIsToldWhatCameOfItsDecisions) {
+  for (const bool is_refused : {false, true}) {
+    FakeSimulation simulation(net, fleet(net, 1, "SABT"));
+    if (is_refused) simulation.refusing.insert(VehicleId{0U});
+    Informed informed;
+    informed.answer = [&](std::span<const ClassTraffic> traffic, const Traveller& traveller) {
+      return Decision{.change = traveller.route.size() == 3,
+                      .route = vertex_way(net, *traffic[0].graph, "SACDBT")};
+    };
+    run(simulation, net, informed, {.period = 1'000'000});
+    ASSERT_FALSE(informed.changes.empty());
+    EXPECT_EQ(informed.changes.front(), !is_refused);
+  }
+}
+
 TEST_F(Control, FixedVehiclesAreLeftAlone) {
   FakeSimulation simulation(
       net, {{.id = "bus", .route = way(net, "SABT"), .vehicle_class = VehicleClass::bus, .fixed = true},
@@ -474,6 +522,35 @@ TEST_F(Control, PredictionsOnTheWayAreThoseOfTheRestOfTheRoute) {
     ASSERT_GT(result.log.size(), 10U);
     for (const LoggedDecision& decision : result.log)
       EXPECT_EQ(decision.predicted_arrival, 30'000) << "decided at " << decision.time;
+  }
+}
+
+// SABT takes 30 s and not the 25 s that are predicted; the measured times are right. At 4 s it changes to a
+// way of 50 s, and what was predicted before is moot.
+TEST_F(Control, PredictionsAreHeldAgainstTheArrival) {
+  for (const bool changes : {false, true}) {
+    FakeSimulation simulation(net, fleet(net, 1, "SABT"));
+    Recorder recorder;
+    recorder.answer = [&](std::span<const ClassTraffic> traffic, const Traveller& traveller) {
+      Decision decision{.route = traveller.route, .entered = 0};
+      decision.old_cost = changes && simulation.now() > 4'000 ? 50'000 : 25'000;
+      if (!changes || simulation.now() != 4'000) return decision;
+      decision.change = true;
+      decision.route = vertex_way(net, *traffic[0].graph, "SACDBT");
+      decision.new_cost = 50'000;
+      return decision;
+    };
+    const RunResult result = run(simulation, net, recorder, each_step);
+    const HorizonError& error = result.forecast_error[0];
+    EXPECT_GT(error.predictions, 5U);
+    EXPECT_DOUBLE_EQ(error.measured.absolute, 0);
+    if (changes) {
+      EXPECT_LT(error.predictions, result.decisions);
+    } else {
+      EXPECT_EQ(error.predictions, result.decisions);
+      EXPECT_GT(error.own.absolute, 0);
+      EXPECT_DOUBLE_EQ(error.own.difference, -error.own.absolute) << "always too early";
+    }
   }
 }
 

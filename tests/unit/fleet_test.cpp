@@ -52,5 +52,19 @@ TEST(Fleet, WhoIsNotWhereItsRouteSaysIsLostUntilItIsSeenThere) {
   EXPECT_EQ(vehicle.route, (std::vector<RoadId>{road(net, "AB"), road(net, "BE")}));
 }
 
+TEST(Fleet, AWayThatSomebodyElseGaveIsTakenOver) {
+  const Network net = ascii_network("A-B-C-D\n  |\n  E");
+  Driven driven(net, 1);
+  const FleetVehicle& vehicle = driven.fleet[VehicleId{0U}];
+  driven.load(0, "ABCD");
+  driven.look({{.vehicle = 0, .road = "AB"}});
+  driven.fleet.on_plan(VehicleId{0U}, way(net, "BCD"));  // it has gone on since
+  EXPECT_EQ(names(net, vehicle.route), names(net, way(net, "ABCD"))) << "the same way";
+  driven.fleet.on_plan(VehicleId{0U}, way(net, "ABE"));
+  EXPECT_EQ(names(net, vehicle.route), names(net, way(net, "ABE")));
+  driven.look({{.vehicle = 0, .road = "BE"}});
+  EXPECT_FALSE(vehicle.is_lost);
+}
+
 }  // namespace
 }  // namespace thalweg::testing

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "support/queueing.hpp"
 
 namespace thalweg::testing {
@@ -23,7 +25,7 @@ class Queues : public ::testing::Test {
     driven.look(places);
   }
   [[nodiscard]] double wait(const QueueForecast& forecast, const char* id, std::size_t bin) const {
-    return forecast.wait(road(net, id), bin);
+    return forecast.table().wait(road(net, id), bin);
   }
 
   Network net = ascii_network("A---B---C---D");
@@ -34,7 +36,7 @@ TEST_F(Queues, NobodyOnTheRoadsIsNoWait) {
   Driven driven(net, 1);
   const Discharge discharge(net, servers, driven.demand);
   QueueForecast forecast(net, servers, discharge, nobody_assumed);
-  forecast.run(driven.fleet, 0);
+  forecast.run(driven.fleet, Level(net), 0);
   for (std::size_t bin : {0U, 10U, 59U}) EXPECT_EQ(wait(forecast, "AB", bin), 0);
 }
 
@@ -46,7 +48,7 @@ TEST_F(Queues, AQueueIsServedOneByOne) {
   stand(driven, 20);
   const Discharge discharge(net, servers, driven.demand);
   QueueForecast forecast(net, servers, discharge, nobody_assumed);
-  forecast.run(driven.fleet, 0);
+  forecast.run(driven.fleet, Level(net), 0);
   EXPECT_NEAR(wait(forecast, "AB", 0), 18, 1);
   EXPECT_NEAR(wait(forecast, "AB", 1), 10, 3);
   EXPECT_EQ(wait(forecast, "AB", 3), 0);
@@ -70,8 +72,8 @@ TEST_F(Queues, AFullRoadHoldsThoseBehindIt) {
   driven.look({});
   QueueForecast free(narrow, slow, discharge, nobody_assumed);
   driven.look(places);
-  free.run(driven.fleet, 0);
-  const float unhindered = free.wait(road(narrow, "AB"), 0);
+  free.run(driven.fleet, Level(narrow), 0);
+  const float unhindered = free.table().wait(road(narrow, "AB"), 0);
   EXPECT_NEAR(unhindered, 12, 4) << "nine in front, 2 s each, less 10 s";
 
   std::vector<Driven::At> jam{{.vehicle = 0, .road = "BC", .metres = 14},
@@ -82,8 +84,8 @@ TEST_F(Queues, AFullRoadHoldsThoseBehindIt) {
     discharge.observe(driven.fleet, look * 1000);
   }
   QueueForecast blocked(narrow, slow, discharge, nobody_assumed);
-  blocked.run(driven.fleet, 1'200'000);
-  EXPECT_GT(blocked.wait(road(narrow, "AB"), 0), 2 * unhindered);
+  blocked.run(driven.fleet, Level(narrow), 1'200'000);
+  EXPECT_GT(blocked.table().wait(road(narrow, "AB"), 0), 2 * unhindered);
 }
 
 // A vehicle every 10 s for 600 s: as many are assumed for the next 600 s, and none when that is switched off.
@@ -100,14 +102,26 @@ TEST_F(Queues, DeparturesAreAssumedToGoOn) {
     driven.fleet.on_arrived(VehicleId{i});
   }
   driven.look({});
-  assuming.run(driven.fleet, 600'000);
-  knowing.run(driven.fleet, 600'000);
+  assuming.run(driven.fleet, Level(net), 600'000);
+  knowing.run(driven.fleet, Level(net), 600'000);
   float assumed = 0;
   for (std::size_t bin = 0; bin < 60; ++bin) {
-    assumed = std::max(assumed, assuming.wait(road(net, "BC"), bin));
-    EXPECT_EQ(knowing.wait(road(net, "BC"), bin), 0);
+    assumed = std::max(assumed, assuming.table().wait(road(net, "BC"), bin));
+    EXPECT_EQ(knowing.table().wait(road(net, "BC"), bin), 0);
   }
   EXPECT_GT(assumed, 0);
+}
+
+// Three want to depart from AB at once, one in 2 s; the fourth in 100 s; the fifth is not loaded.
+TEST_F(Queues, WhoWaitsIsInsertedInTurn) {
+  Driven driven(net, 5);
+  const Discharge discharge(net, servers, driven.demand);
+  QueueForecast forecast(net, servers, discharge, nobody_assumed);
+  for (std::size_t i = 0; i < 3; ++i) driven.load(i, "ABCD");
+  driven.load(3, "ABCD", 100'000);
+  forecast.run(driven.fleet, Level(net), 0);
+  const std::array<Millis, 5> expected{0, 2'000, 4'000, 100'000, 0};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(forecast.insertion(VehicleId{i}), expected[i]) << i;
 }
 
 TEST_F(Queues, TheSameFleetGivesTheSameForecast) {
@@ -116,8 +130,8 @@ TEST_F(Queues, TheSameFleetGivesTheSameForecast) {
   const Discharge discharge(net, servers, driven.demand);
   QueueForecast first(net, servers, discharge, nobody_assumed);
   QueueForecast again(net, servers, discharge, nobody_assumed);
-  first.run(driven.fleet, 0);
-  for (int run = 0; run < 3; ++run) again.run(driven.fleet, 0);
+  first.run(driven.fleet, Level(net), 0);
+  for (int run = 0; run < 3; ++run) again.run(driven.fleet, Level(net), 0);
   for (std::size_t bin = 0; bin < 60; ++bin) EXPECT_EQ(wait(first, "AB", bin), wait(again, "AB", bin));
 }
 

@@ -109,6 +109,14 @@ TEST(Comparison, ARunSurvivesItsFile) {
   run.unknown = 4;
   run.teleports = {.jam = 1, .yield = 2, .wrong_lane = 3, .collision = 4};
   run.fixed.vehicles = 12;
+  run.equipped.vehicles = 7;
+  run.unequipped.commute_mean = 33;
+  run.ignored = 9;
+  run.gap = {.trips = 4, .gaining = 1, .own_s = 120, .best_s = 100};
+  run.forecast_error[2] = {.predictions = 2,
+                           .realised = 1800,
+                           .own = {.absolute = 60, .difference = -20},
+                           .measured = {.absolute = 80, .difference = 10}};
   run.error = "not UTF-8: \xff";
   const auto folder =
       std::filesystem::path(testing::TempDir()) / ("thalweg_report." + std::to_string(getpid()));
@@ -122,6 +130,11 @@ TEST(Comparison, ARunSurvivesItsFile) {
   EXPECT_TRUE(std::isnan(again.all.depart_delay_mean));
   EXPECT_EQ(again.fixed.vehicles, 12U);
   EXPECT_EQ(again.teleports.collision, 4U);
+  EXPECT_EQ(again.equipped.vehicles, 7U);
+  EXPECT_EQ(again.unequipped.commute_mean, 33);
+  EXPECT_EQ(again.ignored, 9U);
+  EXPECT_EQ(again.gap.relative(), 0.2);
+  EXPECT_EQ(again.forecast_error[2].own.difference, -20);
   EXPECT_EQ(to_json(again).dump(), nlohmann::ordered_json::parse(std::ifstream(file)).dump());
 
   std::ofstream(file) << R"({"arm": "x")";
@@ -152,6 +165,31 @@ TEST(Table, NamesTheFailedArmInSumosWords) {
   EXPECT_NE(text.find("std::bad_alloc"), std::string::npos) << text;
   EXPECT_NE(text.find("0 of 1"), std::string::npos) << text;
   EXPECT_NE(text.find("One seed is one observation"), std::string::npos) << text;
+}
+
+TEST(Table, SaysHowWellArrivalsWerePredicted) {
+  Arm forecast = arm("forecast", {100, 110});
+  for (RunSummary& run : forecast.runs) {
+    run.forecast_error[1] = {.predictions = 10,
+                             .realised = 4000,
+                             .own = {.absolute = 300, .difference = -80},
+                             .measured = {.absolute = 400, .difference = 200}};
+  }
+  const auto text = format_table(comparison_of({arm("static", {100, 110}), forecast}));
+  EXPECT_NE(text.find("forecast        -  30.0 (0.75)"), std::string::npos) << text;
+  EXPECT_NE(text.find("    -2.0            +5.0"), std::string::npos) << text;
+}
+
+TEST(Table, EquippedAndUnequippedAreShownApartWhereThereAreBoth) {
+  Arm forecast = arm("forecast", {100, 110});
+  EXPECT_EQ(format_table(comparison_of({forecast})).find("Equipped"), std::string::npos);
+  for (RunSummary& run : forecast.runs) {
+    run.equipped = {.vehicles = 300, .commute_mean = 90.5};
+    run.unequipped = {.vehicles = 700, .commute_mean = 107.5};
+  }
+  const auto text = format_table(comparison_of({forecast}));
+  EXPECT_NE(text.find("90.5"), std::string::npos) << text;
+  EXPECT_NE(text.find("107.5"), std::string::npos) << text;
 }
 
 TEST(Table, LongNamesGetALineOfTheirOwn) {

@@ -102,7 +102,7 @@ TEST(Trips, EveryVehicleIsAccountedFor) {
                             std::string(waiting) + std::string(crashed) + std::string(due_at_the_end);
   const auto run = read(infos,
                         {{"finished", 31'500, true},
-                         {"running", 250},
+                         {"running", 250, false, "", false},
                          {"waiting", 88'500, true},
                          {"crashed", 500},
                          {"at the end", 300'000},
@@ -118,6 +118,9 @@ TEST(Trips, EveryVehicleIsAccountedFor) {
   EXPECT_EQ(fixed.waiting, 1U);
   EXPECT_EQ(fixed.not_loaded, 1U);
   EXPECT_DOUBLE_EQ(fixed.commute_mean, (10.5 + 211.5) / 2);
+  EXPECT_EQ(run.equipped.vehicles, 2U);
+  EXPECT_EQ(run.unequipped.vehicles, 1U);
+  EXPECT_EQ(run.unequipped.running, 1U);
   EXPECT_EQ(run.unknown, 0U);
 }
 

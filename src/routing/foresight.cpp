@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "routing/foresight.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace thalweg {
+
+Foresight::Foresight(const TrafficState& first, const Memory* memory)
+    : network_(first.network),
+      conditions_(first.conditions),
+      servers_(first.network),
+      discharge_(first.network, servers_, first.demand),
+      forecast_(first.network, servers_, discharge_),
+      level_(first.network),
+      residuals_(first.network),
+      bookings_(first.network, forecast_.table()),
+      hindsight_(first.demand.vehicles.size()) {
+  if (memory == nullptr) return;
+  std::vector<QueueForecast::Departure> departures;
+  for (const RememberedTrip& trip : memory->trips)
+    departures.push_back({.time = trip.depart, .route = trip.route});
+  forecast_.expect(std::move(departures));
+}
+
+bool Foresight::watch(const TrafficState& state) {
+  now_ = state.now;
+  for (const SignalId signal : state.changed_signals)
+    servers_.set_programme(signal, state.programmes[signal]);
+  for (const RoadId road : state.conditions.roads())
+    servers_.set_free_flow(road, state.conditions.crossing(road));
+  discharge_.observe(state.fleet, state.now);
+  forecast_.observe(state.fleet, state.now);
+  hindsight_.observe(state.fleet, state.now);
+  if (state.now < next_round_ && state.conditions.version() == conditions_version_) return false;
+  conditions_version_ = state.conditions.version();
+  next_round_ = state.now + round;
+  forecast_at_ = state.now;
+  forecast_.run(state.fleet, level_, state.now);
+  level_.learn(servers_, forecast_.table(), state.measured, to_seconds(round));
+  residuals_.learn(servers_, level_, forecast_.table(), state.measured, to_seconds(round));
+  bookings_.clear();
+  return true;
+}
+
+Millis Foresight::insertion(VehicleId vehicle, Millis wanted) const {
+  return std::max(wanted, forecast_.insertion(vehicle) - (now_ - forecast_at_));
+}
+
+}  // namespace thalweg

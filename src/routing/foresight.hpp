@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "routing/hindsight.hpp"
+#include "routing/strategy.hpp"
+#include "traffic/bookings.hpp"
+#include "traffic/discharge.hpp"
+#include "traffic/level.hpp"
+#include "traffic/queue_forecast.hpp"
+#include "traffic/residuals.hpp"
+#include "traffic/servers.hpp"
+#include "traffic/timed_costs.hpp"
+
+namespace thalweg {
+
+/// All that a strategy with a forecast learns and expects of the traffic, brought up to date at every look
+/// and looked ahead from anew once a round.
+class Foresight {
+ public:
+  /// With a memory, those who set out on the day before are expected again.
+  explicit Foresight(const TrafficState& first, const Memory* memory = nullptr);
+  Foresight(const Foresight&) = delete;  // its parts refer to each other
+  Foresight& operator=(const Foresight&) = delete;
+
+  /// True after a new forecast.
+  bool watch(const TrafficState& state);
+
+  [[nodiscard]] const Network& network() const { return network_; }
+  [[nodiscard]] Millis now() const { return now_; }
+  [[nodiscard]] Millis forecast_at() const { return forecast_at_; }
+  [[nodiscard]] Expectation expected() const {
+    return {.forecast = forecast_.table(),
+            .bookings = bookings_,
+            .servers = servers_,
+            .level = level_,
+            .residuals = residuals_,
+            .conditions = conditions_};
+  }
+  /// A whole crossing of the road, nobody in the way, as it is driven.
+  [[nodiscard]] Millis driven(Millis free_flow) const {
+    return static_cast<Millis>(level_.pace() * static_cast<double>(free_flow));
+  }
+  /// From now until a vehicle that has not departed gets on its first road; it wants to in `wanted`.
+  [[nodiscard]] Millis insertion(VehicleId vehicle, Millis wanted) const;
+
+  Bookings& bookings() { return bookings_; }
+  Hindsight& hindsight() { return hindsight_; }
+
+ private:
+  static constexpr Millis round = 15'000;
+
+  const Network& network_;
+  const Conditions& conditions_;
+  Servers servers_;
+  Discharge discharge_;
+  QueueForecast forecast_;
+  Level level_;
+  Residuals residuals_;
+  Bookings bookings_;
+  Hindsight hindsight_;
+  Millis now_ = 0;
+  Millis forecast_at_ = 0;
+  Millis next_round_ = 0;
+  std::uint32_t conditions_version_ = 0;
+};
+
+}  // namespace thalweg

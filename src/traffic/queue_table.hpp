@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/time.hpp"
+#include "network/network.hpp"
+#include "traffic/discharge.hpp"
+#include "traffic/servers.hpp"
+
+namespace thalweg {
+
+/// One that queued at the end of a lane, in s from the forecast on.
+struct Passed {
+  float arrived;
+  float left;  ///< infinity: still there at the horizon
+};
+
+/// What a forecast says of the end of each road, by the time of reaching it: `bins` rows of `bin` from its
+/// moment on. Of the road, the same for all its turns: with waits a turn, vehicles are lured into a free lane
+/// that they must leave again.
+class QueueTable {
+ public:
+  QueueTable(const Network& network, Millis bin, std::size_t bins);
+
+  /// From all that pass the lanes, each lane's in the order of `arrived`.
+  void tabulate(const Servers& servers, const Discharge& discharge,
+                const IdVector<LaneId, std::vector<Passed>>& passed);
+
+  [[nodiscard]] Millis bin() const { return bin_; }
+  [[nodiscard]] std::size_t bins() const { return bins_; }
+  /// s until one leaves that reaches the end in this bin; by now means the middle of the bin.
+  [[nodiscard]] float wait(RoadId road, std::size_t bin) const { return wait_[at(road, bin)]; }
+  /// The same for one that enters an empty road now and takes so many s to its end.
+  [[nodiscard]] double wait_after(RoadId road, double seconds) const {
+    return wait(road,
+                std::min(bins_ - 1, static_cast<std::size_t>(std::max(0.0, seconds) / to_seconds(bin_))));
+  }
+  /// Of that wait, s due to those who are before it.
+  [[nodiscard]] double queue(RoadId road, std::size_t bin) const {
+    return std::max(0.0, static_cast<double>(wait(road, bin)) - delay_[road]);
+  }
+  /// Vehicles that reach the end in this bin.
+  [[nodiscard]] float arrivals(RoadId road, std::size_t bin) const { return arrivals_[at(road, bin)]; }
+  /// s that those behind it wait longer, taken together, because of one that reaches the end in this bin: one
+  /// headway each, until the queue has once been served.
+  [[nodiscard]] float toll(RoadId road, std::size_t bin) const { return toll_[at(road, bin)]; }
+  /// s between two that leave the road, by whatever lane.
+  [[nodiscard]] double headway(RoadId road) const { return headway_[road]; }
+
+ private:
+  struct LaneRows {
+    std::vector<float> wait;
+    std::vector<float> toll;
+  };
+  [[nodiscard]] std::size_t at(RoadId road, std::size_t bin) const { return road.value * bins_ + bin; }
+  void tabulate_road(const Servers& servers, const Discharge& discharge, RoadId road,
+                     const IdVector<LaneId, std::vector<Passed>>& passed);
+  void tabulate_lane(double headway, double delay, std::span<const Passed> passed);
+  void count_waiting(double headway, double delay, std::span<const Passed> passed);
+
+  const Network& network_;
+  Millis bin_;
+  std::size_t bins_;
+  std::vector<float> wait_;
+  std::vector<float> arrivals_;
+  std::vector<float> toll_;
+  IdVector<RoadId, double> headway_;
+  IdVector<RoadId, double> delay_;  ///< s that the first one waits
+  LaneRows lane_;                   ///< scratch: of one lane
+  std::vector<int> waiting_;        ///< scratch: from each on, how many in a row wait for the one before
+};
+
+}  // namespace thalweg
