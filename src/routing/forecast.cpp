@@ -150,16 +150,40 @@ class ForecastStrategy : public Strategy {
     return arrival - foresight_->now() >= TimedCosts::closed / 2;
   }
 
-  /// When it enters the first road of its route. One that has driven a part of it is as one that entered so
-  /// much earlier.
+  /// When it enters the first road of its route. One that is on it is as one that entered so much earlier as
+  /// leaves when it does.
   [[nodiscard]] Millis start(const RoadGraph& graph, const TimedCosts& costs,
                              const Traveller& traveller) const {
-    if (!traveller.departed)
-      return foresight_->now() +
-             foresight_->insertion(traveller.vehicle, std::max<Millis>(0, traveller.until_route));
-    const auto crossing = static_cast<double>(crossing_of(graph, costs, traveller.route.front()));
-    return foresight_->now() + std::max<Millis>(0, traveller.until_route) -
-           static_cast<Millis>(traveller.driven * crossing);
+    const Millis now = foresight_->now();
+    const Millis until_route = std::max<Millis>(0, traveller.until_route);
+    if (!traveller.departed) return now + foresight_->insertion(traveller.vehicle, until_route);
+    const VertexId front = traveller.route.front();
+    const auto leaving = foresight_->leaving(traveller.vehicle);
+    if (leaving.road == graph.road(front)) return start_in_queue(graph, costs, traveller, leaving.time);
+    if (leaving.road.valid() && traveller.driven <= 0 && leaving.time > now) return leaving.time;
+    return now + until_route -
+           static_cast<Millis>(traveller.driven * static_cast<double>(crossing_of(graph, costs, front)));
+  }
+  /// The forecast says when it leaves by its place in the queue; what else it has learned of that road's end
+  /// (residuals) counts by the share of the queue that is still before it.
+  [[nodiscard]] Millis start_in_queue(const RoadGraph& graph, const TimedCosts& costs,
+                                      const Traveller& traveller, Millis leaves) const {
+    const VertexId front = traveller.route.front();
+    const Millis now = foresight_->now();
+    const Millis at = foresight_->forecast_at();
+    Millis whole = infinity;  // from entering now to leaving: the same for all its turns, but those closed
+    for (const Arc& arc : graph.turns().out(front)) {
+      const Millis through = costs.free_flow()[arc.id.value] - costs.road_time(graph.road(front));
+      whole = std::min(whole, costs.arrive(arc.id, at) - at - through);
+    }
+    if (whole >= TimedCosts::closed / 2) return now;
+    const Millis crossing = crossing_of(graph, costs, front);
+    const Millis model = crossing + from_seconds(foresight_->expected().forecast.wait_after(
+                                        graph.road(front), to_seconds(crossing)));
+    const double share =
+        std::min(1.0, static_cast<double>(leaves - now) / static_cast<double>(std::max<Millis>(1000, model)));
+    const Millis left = leaves - now + static_cast<Millis>(share * static_cast<double>(whole - model));
+    return now + std::max<Millis>(0, left) - whole;
   }
   [[nodiscard]] Millis crossing_of(const RoadGraph& graph, const TimedCosts& costs, VertexId road) const {
     return foresight_->driven(costs.road_time(graph.road(road)));

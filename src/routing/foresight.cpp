@@ -47,4 +47,9 @@ Millis Foresight::insertion(VehicleId vehicle, Millis wanted) const {
   return std::max(wanted, forecast_.insertion(vehicle) - (now_ - forecast_at_));
 }
 
+QueueForecast::Leaving Foresight::leaving(VehicleId vehicle) const {
+  const QueueForecast::Leaving& own = forecast_.leaving(vehicle);
+  return {.road = own.road, .time = std::max(now_, forecast_at_ + own.time)};
+}
+
 }  // namespace thalweg

@@ -42,6 +42,8 @@ class Foresight {
   }
   /// From now until a vehicle that has not departed gets on its first road; it wants to in `wanted`.
   [[nodiscard]] Millis insertion(VehicleId vehicle, Millis wanted) const;
+  /// The road that it was on at the last forecast, and when it leaves that; not before now.
+  [[nodiscard]] QueueForecast::Leaving leaving(VehicleId vehicle) const;
 
   Bookings& bookings() { return bookings_; }
   Hindsight& hindsight() { return hindsight_; }

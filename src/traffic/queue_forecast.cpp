@@ -57,6 +57,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   occupancy_.assign(occupancy_.size(), 0);
   next_insertion_.assign(next_insertion_.size(), -1e9);
   insertion_.assign(fleet.size(), 0);
+  leaving_.assign(fleet.size(), {});
   for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], to_seconds(now));
   assume_departures(fleet, now);
   // A heap a second and not one for all: most events are far off, and need no order among themselves yet.
@@ -95,7 +96,9 @@ void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now)
     time = left * crossing(vehicle.route[position]);
   }
   ++occupancy_[vehicle.route[position]];
-  add({.route = &vehicle.route, .position = position, .preferred = preferred}, time, Kind::reaches_end);
+  leaving_[id] = {.road = vehicle.route[position], .time = from_seconds(horizon_)};
+  add({.route = &vehicle.route, .position = position, .preferred = preferred, .vehicle = id}, time,
+      Kind::reaches_end);
 }
 
 void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
@@ -160,6 +163,7 @@ void QueueForecast::depart(const Event& event) {
   }
   ++occupancy_[road];
   if (mover.vehicle.valid()) insertion_[mover.vehicle] = from_seconds(event.time);
+  mover.vehicle = {};
   push(event.time + crossing(road), Kind::reaches_end, event.subject);
 }
 
@@ -211,6 +215,8 @@ void QueueForecast::leave(const Event& event) {
       return push(event.time + options_.blocked_retry, Kind::leaves, lane.value);
   }
   queue.blocked_since = -1;
+  if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
+  mover.vehicle = {};
   passed_[lane][queue.head].left = static_cast<float>(event.time);
   ++queue.head;
   queue.is_active = false;

@@ -51,6 +51,14 @@ class QueueForecast {
   /// 0 when it was not there.
   [[nodiscard]] Millis insertion(VehicleId vehicle) const { return insertion_[vehicle]; }
 
+  struct Leaving {
+    RoadId road{};    ///< it was there at the last run, or about to enter; invalid: it was on none
+    Millis time = 0;  ///< from then on; the horizon when later
+  };
+  /// When a vehicle that was on the roads leaves the one it was on: it knows its own place in the queue,
+  /// which the table does not.
+  [[nodiscard]] const Leaving& leaving(VehicleId vehicle) const { return leaving_[vehicle]; }
+
  private:
   /// A vehicle of the forecast: a real one, or one that is assumed.
   struct Mover {
@@ -60,7 +68,7 @@ class QueueForecast {
     LaneId preferred{};
     float arrived = 0;      ///< s from now: at the end of its road
     bool has_turn = false;  ///< of insertion
-    VehicleId vehicle{};    ///< invalid: one that is assumed
+    VehicleId vehicle{};    ///< a real one until it has left its first road; else invalid
   };
   struct Queue {
     std::vector<std::uint32_t> movers;
@@ -114,6 +122,7 @@ class QueueForecast {
   IdVector<RoadId, int> occupancy_;
   IdVector<RoadId, double> next_insertion_;
   IdVector<VehicleId, Millis> insertion_;
+  IdVector<VehicleId, Leaving> leaving_;
   QueueTable table_;
 };
 

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
+
+#include "traffic/green.hpp"
 
 namespace thalweg {
 namespace {
@@ -17,42 +18,8 @@ double through_time(const Network& network, const IdVector<LaneId, LaneId>& next
   return seconds;
 }
 
-/// Of the whole cycle, for one link.
-struct Share {
-  double green = 0;
-  double permissive = 0;
-  double yellow = 0;
-  double cycle = 0;
-};
-
-Share share_of(const SignalProgramme& programme, std::size_t link) {
-  Share share;
-  for (const SignalPhase& phase : programme.phases) {
-    const double seconds = to_seconds(phase.duration);
-    share.cycle += seconds;
-    if (link >= phase.state.size()) continue;
-    switch (phase.state[link]) {
-      case 'G':
-        share.green += seconds;
-        break;
-      case 'g':
-      case 'o':
-      case 'O':
-        share.permissive += seconds;
-        break;
-      case 's':  // a stop, then on
-        share.permissive += seconds / 2;
-        break;
-      case 'y':
-      case 'Y':
-        share.yellow += seconds;
-        break;
-      default:
-        break;
-    }
-  }
-  return share;
-}
+bool gives_way_after_stop(char state) { return state == 's' || state == 'w' || state == '='; }
+bool gives_way(char state) { return state == 'm' || gives_way_after_stop(state); }
 
 }  // namespace
 
@@ -62,19 +29,17 @@ Servers::Servers(const Network& network, const ServerOptions& options)
       means_(network.lanes.size()),
       ends_(network.roads.size(), RoadEnd::major),
       free_flow_(network.roads.size(), 0),
-      storage_(network.roads.size(), options.least_storage),
+      storage_(network.roads.size(), 0),
+      fed_by_(network.roads.size()),
       links_(network.signals.size()) {
   for (std::size_t i = 0; i < network.roads.size(); ++i) {
     const Road& road = network.roads[RoadId{i}];
     double speed = 0;
-    double storage = 0;
     for (std::uint32_t k = 0; k < road.lane_count; ++k) {
       const Lane& lane = network.lanes[LaneId{road.first_lane.value + k}];
       speed = std::max(speed, lane.speed);
-      storage += lane.length / options.space;
     }
     free_flow_[RoadId{i}] = network.lanes[road.first_lane].length / std::max(0.1, speed);
-    storage_[RoadId{i}] = std::max(options.least_storage, storage);
   }
   IdVector<LaneId, LaneId> next(network.lanes.size());
   for (const Connection& c : network.connections) {
@@ -100,10 +65,10 @@ Servers::Servers(const Network& network, const ServerOptions& options)
     movement.through = through_time(network, next, way.first->via);
     const char state = way.first->state;
     const double saturation = options.saturation_headway;
-    if (state == 's' || state == 'w' || state == '=') {
+    if (gives_way_after_stop(state)) {
       movement.headway = 2.5 * saturation;
       movement.delay = 4;
-    } else if (state == 'm') {
+    } else if (gives_way(state)) {
       movement.headway = 2 * saturation;
       movement.delay = 2;
     } else {
@@ -117,14 +82,16 @@ Servers::Servers(const Network& network, const ServerOptions& options)
   for (std::size_t i = 0; i + 1 < first_.size(); ++i) first_[i + 1] += first_[i];
   for (const Connection& c : network.connections) {
     if (!c.signal.valid() || !is_normal(c.from) || !is_normal(c.to) || c.link_index < 0) continue;
-    links_[c.signal].push_back({.movement = find(c.from, c.to), .index = c.link_index});
+    links_[c.signal].push_back(
+        {.movement = find(c.from, c.to), .index = static_cast<std::size_t>(c.link_index)});
   }
+  find_feeding_signals();
   for (std::size_t i = 0; i < network.signals.size(); ++i) {
     const auto& programmes = network.signals[SignalId{i}].programmes;
     if (!programmes.empty()) set_programme(SignalId{i}, programmes.front());
   }
   find_ends(network);
-  refresh_means(network);
+  refresh_roads(network);
 }
 
 void Servers::set_programme(SignalId signal, const SignalProgramme& programme) {
@@ -135,21 +102,38 @@ void Servers::set_programme(SignalId signal, const SignalProgramme& programme) {
   };
   std::map<MovementId, Sum> sums;
   for (const Link& link : links_[signal]) {
-    const Share share = share_of(programme, static_cast<std::size_t>(link.index));
-    if (share.cycle <= 0) return;  // switched off: as it was
-    const double open = share.green + options_.permissive * share.permissive + options_.yellow * share.yellow;
-    const double red = std::max(0.0, share.cycle - share.green - share.permissive - 0.5 * share.yellow);
+    const Green green = green_of(programme, link.index);
+    if (green.cycle <= 0) return;  // switched off: as it was
+    const double open =
+        green.protected_ + options_.permissive * green.permissive + options_.yellow * green.yellow;
+    const double red = std::max(0.0, green.cycle - green.protected_ - green.permissive - 0.5 * green.yellow);
     Sum& sum = sums[link.movement];
-    sum.share += open / share.cycle;
-    sum.delay += red * red / (2 * share.cycle);
+    sum.share += open / green.cycle;
+    sum.delay += red * red / (2 * green.cycle);
     ++sum.links;
   }
   for (const auto& [movement, sum] : sums) {
     movements_[movement].headway =
         options_.saturation_headway / std::max(options_.least_share, sum.share / sum.links);
-    movements_[movement].delay = sum.delay / sum.links + 1;
+    const double at_any_time = sum.delay / sum.links;
+    movements_[movement].delay = coordinated(signal, programme, movement).value_or(at_any_time) + 1;
   }
-  refresh_means(network_);
+  refresh_roads(network_);
+}
+
+std::optional<double> Servers::coordinated(SignalId signal, const SignalProgramme& programme,
+                                           MovementId movement) const {
+  const RoadId road = movements_[movement].from;
+  if (fed_by_[road] != signal) return {};
+  std::vector<Feeder> feeders;
+  std::vector<std::size_t> own;
+  for (const Link& link : links_[signal]) {
+    const Movement& feeder = movements_[link.movement];
+    if (feeder.to == road)
+      feeders.push_back({.link = link.index, .travel = feeder.through + free_flow_[road]});
+    if (link.movement == movement) own.push_back(link.index);
+  }
+  return coordinated_wait(programme, feeders, own, options_.permissive);
 }
 
 MovementId Servers::find(RoadId from, RoadId to) const {
@@ -164,7 +148,7 @@ void Servers::find_ends(const Network& network) {
   IdVector<RoadId, std::size_t> all(network.roads.size(), 0);
   for (const Connection& c : network.connections) {
     ++all[c.from];
-    if (c.state == 'm' || c.state == 's' || c.state == 'w' || c.state == '=') ++minor[c.from];
+    if (gives_way(c.state)) ++minor[c.from];
     if (c.signal.valid() && c.link_index >= 0) ends_[c.from] = RoadEnd::signal;
   }
   for (std::size_t i = 0; i < ends_.size(); ++i) {
@@ -174,7 +158,21 @@ void Servers::find_ends(const Network& network) {
   }
 }
 
-void Servers::refresh_means(const Network& network) {
+void Servers::find_feeding_signals() {
+  IdVector<MovementId, SignalId> by(movements_.size());
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    for (const Link& link : links_[SignalId{i}]) by[link.movement] = SignalId{i};
+  }
+  std::vector<bool> is_fed(fed_by_.size(), false);
+  for (std::size_t i = 0; i < movements_.size(); ++i) {
+    const RoadId to = movements_[MovementId{i}].to;
+    const SignalId signal = by[MovementId{i}];
+    fed_by_[to] = is_fed[to.value] && fed_by_[to] != signal ? SignalId{} : signal;
+    is_fed[to.value] = true;
+  }
+}
+
+void Servers::refresh_roads(const Network& network) {
   means_.assign(network.lanes.size(), {});
   std::vector<int> count(network.lanes.size(), 0);
   for (std::size_t i = 0; i < movements_.size(); ++i) {
@@ -188,6 +186,17 @@ void Servers::refresh_means(const Network& network) {
     if (count[i] == 0) continue;
     means_[LaneId{i}].headway /= count[i];
     means_[LaneId{i}].delay /= count[i];
+  }
+  for (std::size_t i = 0; i < network.roads.size(); ++i) {
+    const Road& road = network.roads[RoadId{i}];
+    double room = 0;
+    double in_service = 0;
+    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
+      const LaneId lane{road.first_lane.value + k};
+      room += network.lanes[lane].length / options_.space;
+      if (means_[lane].headway > 0) in_service += 1 + means_[lane].delay / means_[lane].headway;
+    }
+    storage_[RoadId{i}] = std::max({options_.least_storage, room, in_service});
   }
 }
 

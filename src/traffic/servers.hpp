@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,7 +35,8 @@ struct ServerOptions {
 
 /// Every lane as a server of those that leave it: how long one takes, and how many find room to wait.
 /// Headways from the signal programmes (green share of the link) and the right of way, for the mean of a
-/// cycle: phases themselves are left out, they are over before a forecast comes true.
+/// cycle: phases themselves are left out, they are over before a forecast comes true. Only between the stop
+/// lines of one signal they count: who was let in there mostly finds the next one green.
 class Servers {
  public:
   explicit Servers(const Network& network, const ServerOptions& options = {});
@@ -62,14 +64,20 @@ class Servers {
   [[nodiscard]] const LaneMeans& means(LaneId lane) const { return means_[lane]; }
   [[nodiscard]] double free_flow(RoadId road) const { return free_flow_[road]; }  ///< s
   [[nodiscard]] RoadEnd end(RoadId road) const { return ends_[road]; }
-  [[nodiscard]] double storage(RoadId road) const { return storage_[road]; }  ///< vehicles
+  /// Vehicles. Never fewer than are in service when its lanes let pass what they can, each of them for its
+  /// mean delay (Little's law): else three cars on a short road were all that pass in a mean red.
+  [[nodiscard]] double storage(RoadId road) const { return storage_[road]; }
 
  private:
   struct Link {
     MovementId movement;
-    int index;
+    std::size_t index;
   };
-  void refresh_means(const Network& network);
+  /// The delay at the end of a road that this signal alone lets vehicles onto; nothing for other roads.
+  [[nodiscard]] std::optional<double> coordinated(SignalId signal, const SignalProgramme& programme,
+                                                  MovementId movement) const;
+  void find_feeding_signals();
+  void refresh_roads(const Network& network);
   void find_ends(const Network& network);
 
   const Network& network_;
@@ -82,6 +90,7 @@ class Servers {
   IdVector<RoadId, RoadEnd> ends_;
   IdVector<RoadId, double> free_flow_;
   IdVector<RoadId, double> storage_;
+  IdVector<RoadId, SignalId> fed_by_;  ///< the signal of all turns onto the road; invalid: none, or not all
   IdVector<SignalId, std::vector<Link>> links_;
 };
 

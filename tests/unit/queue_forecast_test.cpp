@@ -124,6 +124,26 @@ TEST_F(Queues, WhoWaitsIsInsertedInTurn) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(forecast.insertion(VehicleId{i}), expected[i]) << i;
 }
 
+// Three stand at the end of AB: the first leaves at once, the third 4 s later, though who comes behind them
+// waits 6 s. The fourth has 200 of the 300 m to go, the fifth was not seen.
+TEST_F(Queues, WhoStandsKnowsItsPlaceInTheQueue) {
+  Driven driven(net, 5);
+  const Discharge discharge(net, servers, driven.demand);
+  QueueForecast forecast(net, servers, discharge, nobody_assumed);
+  for (std::size_t i = 0; i < 4; ++i) driven.load(i, "ABCD");
+  driven.look({{.vehicle = 0, .road = "AB", .metres = 300},
+               {.vehicle = 1, .road = "AB", .metres = 300},
+               {.vehicle = 2, .road = "AB", .metres = 300},
+               {.vehicle = 3, .road = "AB", .metres = 100}});
+  forecast.run(driven.fleet, Level(net), 0);
+  const std::array<Millis, 4> expected{0, 2'000, 4'000, 20'000};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(forecast.leaving(VehicleId{i}).road, road(net, "AB")) << i;
+    EXPECT_EQ(forecast.leaving(VehicleId{i}).time, expected[i]) << i;
+  }
+  EXPECT_FALSE(forecast.leaving(VehicleId{4U}).road.valid());
+}
+
 TEST_F(Queues, TheSameFleetGivesTheSameForecast) {
   Driven driven(net, 20);
   stand(driven, 20);

@@ -66,5 +66,44 @@ TEST(Servers, FollowAChangeOfTheProgramme) {
       << "never quite closed";
 }
 
+//     A --> B -> C --> D     one signal at B and C; BC is 5 m long, and both are green for the same half
+//     minute
+constexpr const char* twice_signalled = R"(<net>
+  <edge id="AB" from="A" to="B"><lane id="AB_0" index="0" length="150" speed="10"/></edge>
+  <edge id="BC" from="B" to="C"><lane id="BC_0" index="0" length="5" speed="10"/></edge>
+  <edge id="CD" from="C" to="D"><lane id="CD_0" index="0" length="150" speed="10"/></edge>
+  <tlLogic id="S" type="static" programID="0" offset="0">
+    <phase duration="30" state="GG"/><phase duration="30" state="rr"/></tlLogic>
+  <junction id="A" x="0" y="0"/><junction id="B" x="0" y="0"/><junction id="C" x="0" y="0"/>
+  <junction id="D" x="0" y="0"/>
+  <connection from="AB" to="BC" fromLane="0" toLane="0" tl="S" linkIndex="0" dir="s" state="O"/>
+  <connection from="BC" to="CD" fromLane="0" toLane="0" tl="S" linkIndex="1" dir="s" state="O"/>
+</net>)";
+
+TEST(Servers, WaitOnceAtTheStopLinesOfOneSignal) {
+  const Network net = parse_network(twice_signalled);
+  const Servers servers(net);
+  const MovementId first = servers.find(road(net, "AB"), road(net, "BC"));
+  const MovementId second = servers.find(road(net, "BC"), road(net, "CD"));
+  EXPECT_DOUBLE_EQ(servers[first].delay, 30 * 30 / 120.0 + 1);
+  EXPECT_LT(servers[second].delay, 3) << "it comes with green; only in the last second of it it is too late";
+  EXPECT_DOUBLE_EQ(servers[first].headway, servers[second].headway);
+}
+
+// What a short road lets pass is what its servers let pass, not the three that find room on it in a mean red.
+TEST(Servers, RoomIsNeverLessThanThoseInService) {
+  const Network net = parse_network(twice_signalled);
+  Servers servers(net);
+  servers.set_programme(
+      SignalId{0U}, {.id = "1",
+                     .type = {},
+                     .offset = 0,
+                     .phases = {{.duration = 30'000, .state = "Gr"}, {.duration = 30'000, .state = "rG"}}});
+  const Movement& leaving = servers[servers.find(road(net, "BC"), road(net, "CD"))];
+  EXPECT_GT(leaving.delay, 10);
+  EXPECT_DOUBLE_EQ(servers.storage(road(net, "BC")), 1 + leaving.delay / leaving.headway);
+  EXPECT_DOUBLE_EQ(servers.storage(road(net, "CD")), 20) << "a last road is as long as it is";
+}
+
 }  // namespace
 }  // namespace thalweg::testing

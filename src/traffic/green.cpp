@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "traffic/green.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace thalweg {
+namespace {
+
+enum class Light : std::uint8_t { closed, yellow, permissive_after_stop, permissive, open };
+
+Light light(const SignalPhase& phase, std::size_t link) {
+  if (link >= phase.state.size()) return Light::closed;
+  switch (phase.state[link]) {
+    case 'G':
+      return Light::open;
+    case 'g':
+    case 'o':
+    case 'O':
+      return Light::permissive;
+    case 's':
+      return Light::permissive_after_stop;
+    case 'y':
+    case 'Y':
+      return Light::yellow;
+    default:
+      return Light::closed;
+  }
+}
+
+/// What passes in a second of it, against one of protected green.
+double flow(Light light, double permissive) {
+  if (light == Light::open) return 1;
+  if (light == Light::permissive) return permissive;
+  return light == Light::permissive_after_stop ? permissive / 2 : 0;
+}
+
+}  // namespace
+
+Green green_of(const SignalProgramme& programme, std::size_t link) {
+  Green green;
+  for (const SignalPhase& phase : programme.phases) {
+    const double seconds = to_seconds(phase.duration);
+    green.cycle += seconds;
+    switch (light(phase, link)) {
+      case Light::open:
+        green.protected_ += seconds;
+        break;
+      case Light::permissive:
+        green.permissive += seconds;
+        break;
+      case Light::permissive_after_stop:
+        green.permissive += seconds / 2;
+        break;
+      case Light::yellow:
+        green.yellow += seconds;
+        break;
+      case Light::closed:
+        break;
+    }
+  }
+  return green;
+}
+
+std::optional<double> coordinated_wait(const SignalProgramme& programme, std::span<const Feeder> feeders,
+                                       std::span<const std::size_t> links, double permissive) {
+  constexpr std::size_t longest_cycle = 3600;  // s; a strange file must not hold us up
+  std::vector<const SignalPhase*> seconds;
+  for (const SignalPhase& phase : programme.phases) {
+    const auto count = static_cast<std::size_t>(std::max(0.0, to_seconds(phase.duration) + 0.5));
+    seconds.insert(seconds.end(), std::min(count, longest_cycle - seconds.size()), &phase);
+  }
+  const std::size_t cycle = seconds.size();
+  const auto is_open = [&](std::size_t second) {
+    return std::any_of(links.begin(), links.end(), [&](std::size_t link) {
+      return flow(light(*seconds[second % cycle], link), permissive) > 0;
+    });
+  };
+  // From the last to the first, twice round: how long it takes until one of the links opens.
+  std::vector<std::size_t> until_open(cycle, cycle);
+  for (std::size_t i = 2 * cycle; i-- > 0;) {
+    const std::size_t next = until_open[(i + 1) % cycle];
+    until_open[i % cycle] = is_open(i) ? 0 : std::min(cycle, next + 1);
+  }
+  double weight = 0;
+  double sum = 0;
+  for (const Feeder& feeder : feeders) {
+    const auto travel = static_cast<std::size_t>(std::max(0.0, feeder.travel) + 0.5);
+    for (std::size_t second = 0; second < cycle; ++second) {
+      const double coming = flow(light(*seconds[second], feeder.link), permissive);
+      const std::size_t wait = until_open[(second + travel) % cycle];
+      if (coming <= 0) continue;
+      if (wait >= cycle) return {};
+      weight += coming;
+      sum += coming * static_cast<double>(wait);
+    }
+  }
+  if (weight <= 0) return {};
+  return sum / weight;
+}
+
+}  // namespace thalweg
