@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace thalweg {
 namespace {
@@ -26,7 +27,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       discharge_(discharge),
       options_(options),
       horizon_(to_seconds(options.bin) * static_cast<double>(options.bins)),
-      seconds_(static_cast<std::size_t>(horizon_) + 1),
+      ticks_(static_cast<std::size_t>(horizon_ * ticks_a_second) + 1),
       queues_(network.lanes.size()),
       passed_(network.lanes.size()),
       occupancy_(network.roads.size()),
@@ -52,23 +53,24 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   }
   used_.clear();
   movers_.clear();
-  for (auto& events : seconds_) events.clear();
-  second_ = 0;
+  events_.clear();
+  free_ = none;
+  ticks_.assign(ticks_.size(), {});
+  tick_ = 0;
   occupancy_.assign(occupancy_.size(), 0);
   next_insertion_.assign(next_insertion_.size(), -1e9);
   insertion_.assign(fleet.size(), 0);
   leaving_.assign(fleet.size(), {});
   for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], to_seconds(now));
   assume_departures(fleet, now);
-  // A heap a second and not one for all: most events are far off, and need no order among themselves yet.
-  for (second_ = 0; second_ < seconds_.size(); ++second_) {
-    auto& events = seconds_[second_];
-    std::make_heap(events.begin(), events.end());
-    while (!events.empty()) {
-      std::pop_heap(events.begin(), events.end());
-      const Event event = events.back();
-      events.pop_back();
+  // A calendar and not a heap: what is a tenth of a second apart may be in any order, so long as it is always
+  // the same one. Events of this tick may be found out while it is at hand.
+  for (tick_ = 0; tick_ < ticks_.size(); ++tick_) {
+    for (std::uint32_t i = ticks_[tick_].first; i != none;) {
+      const Event event = events_[i];
       handle(event);
+      const std::uint32_t done = std::exchange(i, events_[i].next);
+      events_[done].next = std::exchange(free_, done);
     }
   }
   table_.tabulate(servers_, discharge_, passed_);
@@ -97,8 +99,11 @@ void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now)
   }
   ++occupancy_[vehicle.route[position]];
   leaving_[id] = {.road = vehicle.route[position], .time = from_seconds(horizon_)};
-  add({.route = &vehicle.route, .position = position, .preferred = preferred, .vehicle = id}, time,
-      Kind::reaches_end);
+  add({.route = &vehicle.route,
+       .position = static_cast<std::uint32_t>(position),
+       .preferred = preferred,
+       .vehicle = id},
+      time, Kind::reaches_end);
 }
 
 void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
@@ -133,10 +138,17 @@ void QueueForecast::add(const Mover& mover, double time, Kind kind) {
 
 void QueueForecast::push(double time, Kind kind, std::uint32_t subject) {
   if (time > horizon_) return;
-  const std::size_t second = std::max(second_, static_cast<std::size_t>(std::max(0.0, time)));
-  auto& events = seconds_[second];
-  events.push_back({.time = time, .kind = kind, .subject = subject});
-  if (second == second_) std::push_heap(events.begin(), events.end());
+  Tick& tick = ticks_[std::max(tick_, static_cast<std::size_t>(std::max(0.0, time * ticks_a_second)))];
+  std::uint32_t event = free_;
+  if (event == none) {
+    event = static_cast<std::uint32_t>(events_.size());
+    events_.emplace_back();
+  } else {
+    free_ = events_[event].next;
+  }
+  events_[event] = {.time = time, .subject = subject, .next = none, .kind = kind};
+  (tick.first == none ? tick.first : events_[tick.last].next) = event;
+  tick.last = event;
 }
 
 void QueueForecast::handle(const Event& event) {
@@ -207,8 +219,8 @@ void QueueForecast::leave(const Event& event) {
   Queue& queue = queues_[lane];
   const std::uint32_t subject = queue.movers[queue.head];
   Mover& mover = movers_[subject];
-  const RoadId road = (*mover.route)[mover.position];
-  const RoadId next = (*mover.route)[mover.position + 1];
+  const Movement& movement = servers_[mover.movement];
+  const RoadId next = movement.to;
   if (occupancy_[next] >= servers_.storage(next)) {  // the queue ahead has come back to here
     if (queue.blocked_since < 0) queue.blocked_since = event.time;
     if (event.time - queue.blocked_since < options_.blocked_patience)
@@ -220,9 +232,8 @@ void QueueForecast::leave(const Event& event) {
   passed_[lane][queue.head].left = static_cast<float>(event.time);
   ++queue.head;
   queue.is_active = false;
-  const Movement& movement = servers_[mover.movement];
   queue.free_at = event.time + movement.headway * discharge_.factor(lane);
-  --occupancy_[road];
+  --occupancy_[movement.from];
   ++occupancy_[next];
   ++mover.position;
   push(event.time + junction_pace_ * movement.through + crossing(next), Kind::reaches_end, subject);

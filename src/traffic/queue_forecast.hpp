@@ -63,7 +63,7 @@ class QueueForecast {
   /// A vehicle of the forecast: a real one, or one that is assumed.
   struct Mover {
     const std::vector<RoadId>* route;
-    std::size_t position;
+    std::uint32_t position = 0;
     MovementId movement{};
     LaneId preferred{};
     float arrived = 0;      ///< s from now: at the end of its road
@@ -78,17 +78,20 @@ class QueueForecast {
     bool is_active = false;
     void clear();
   };
+  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr double ticks_a_second = 10;
   enum class Kind : std::uint8_t { reaches_end, leaves, departs };
   struct Event {
-    double time;
+    double time;            ///< s from now
+    std::uint32_t subject;  ///< a mover; the lane for `leaves`
+    std::uint32_t next;     ///< in the same tick
     Kind kind;
-    std::uint32_t subject;                      ///< a mover; the lane for `leaves`
-    bool operator<(const Event& other) const {  // the standard's heap keeps the greatest on top
-      if (time != other.time) return time > other.time;
-      return kind != other.kind ? kind > other.kind : subject > other.subject;
-    }
   };
-
+  /// Those of a tenth of a second, one after the other in the order in which they were found out.
+  struct Tick {
+    std::uint32_t first = none;
+    std::uint32_t last = none;
+  };
   void place(VehicleId id, const FleetVehicle& vehicle, double now);
   void assume_departures(const Fleet& fleet, Millis now);
   void repeat_departures(Millis known_until, Millis now);
@@ -114,8 +117,10 @@ class QueueForecast {
   Millis noted_until_ = -1;
 
   std::vector<Mover> movers_;
-  std::vector<std::vector<Event>> seconds_;  ///< events to come, by the second in which they are
-  std::size_t second_ = 0;                   ///< at hand: its events are a heap
+  std::vector<Event> events_;
+  std::uint32_t free_ = none;  ///< of events_: the first that is over, chained by `next`
+  std::vector<Tick> ticks_;
+  std::size_t tick_ = 0;  ///< at hand
   IdVector<LaneId, Queue> queues_;
   IdVector<LaneId, std::vector<Passed>> passed_;
   std::vector<LaneId> used_;  ///< queues that are not as new
