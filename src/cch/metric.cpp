@@ -9,29 +9,31 @@
 namespace thalweg {
 
 template <CchWeight W>
-void CchMetric<W>::take_costs(const CchTopology& topology, const std::vector<Millis>& costs) {
+void CchMetric<W>::take_costs(const CchTopology& topology, const std::vector<Millis>& costs,
+                              CchTopology::Rank x) {
   constexpr W none = cch_infinity<W>;
-  up.assign(topology.edge_count(), none);
-  down.assign(topology.edge_count(), none);
-  over_.assign(2 * topology.edge_count(), unknown);
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    const auto place = topology.place(ArcId{i});
-    if (place.is_loop || costs[i] >= infinity || static_cast<std::uint64_t>(costs[i]) >= none) continue;
+  const auto first = topology.first_edge(x);
+  const auto count = topology.first_edge(x + 1) - first;
+  std::fill_n(up.begin() + first, count, none);
+  std::fill_n(down.begin() + first, count, none);
+  std::fill_n(over_.begin() + 2 * static_cast<std::ptrdiff_t>(first), 2 * std::size_t{count}, unknown);
+  for (const auto& place : topology.places(x)) {
+    const Millis cost = costs[place.arc.value];
+    if (cost >= infinity || static_cast<std::uint64_t>(cost) >= none) continue;
     W& own = place.upward ? up[place.edge] : down[place.edge];
-    own = std::min(own, static_cast<W>(costs[i]));
+    own = std::min(own, static_cast<W>(cost));
   }
 }
 
-/// Lower triangles: the ways x -> v -> y and y -> v -> x over every lower neighbour v (of `part`) of x and y
-/// > x. Writes to the edges of x only; those of v must be done.
+/// Lower triangles: the ways x -> v -> y and y -> v -> x over every lower neighbour v of x and y > x. Writes
+/// to the edges of x only; those of v must be done.
 template <CchWeight W>
-void CchMetric<W>::relax_row(const CchTopology& topology, CchTopology::Rank x, Part part, Slots& slots) {
+void CchMetric<W>::relax_row(const CchTopology& topology, CchTopology::Rank x, Slots& slots) {
   constexpr W none = cch_infinity<W>;
   for (auto edge = topology.first_edge(x); edge < topology.first_edge(x + 1); ++edge) {
     slots[topology.head(edge)] = edge;
   }
   for (const auto [v, lower] : topology.lower_edges(x)) {
-    if (part != Part::all && is_top_[v] != (part == Part::top)) continue;
     const W to_v = down[lower];
     const W from_v = up[lower];
     if (to_v >= none && from_v >= none) continue;
@@ -48,34 +50,17 @@ void CchMetric<W>::relax_row(const CchTopology& topology, CchTopology::Rank x, P
 template <CchWeight W>
 void CchMetric<W>::customise(const CchTopology& topology, const std::vector<Millis>& costs,
                              std::size_t threads) {
-  using Rank = CchTopology::Rank;
-  take_costs(topology, costs);
+  up.resize(topology.edge_count());
+  down.resize(topology.edge_count());
+  over_.resize(2 * topology.edge_count());
   slots_.resize(std::max<std::size_t>(threads, 1));
   for (Slots& slots : slots_) slots.resize(topology.vertex_count());
-  if (threads <= 1) {
-    for (Rank x = 0; x < topology.vertex_count(); ++x) relax_row(topology, x, Part::all, slots_.front());
-    return;
-  }
-  is_top_.assign(topology.vertex_count(), true);
-  const auto subtrees = topology.subtrees();
-  for (const auto& subtree : subtrees) {
-    for (Rank x = subtree.first; x < subtree.last; ++x) is_top_[x] = false;
-  }
-  top_.clear();
-  for (Rank x = 0; x < topology.vertex_count(); ++x) {
-    if (is_top_[x]) top_.push_back(x);
-  }
-  // The subtrees side by side; then what they give to the top, row by row side by side; then the top in
-  // order.
-  parallel_for(subtrees.size(), threads, [&](std::size_t i, std::size_t worker) {
-    for (Rank x = subtrees[i].first; x < subtrees[i].last; ++x) {
-      relax_row(topology, x, Part::all, slots_[worker]);
+  parallel_tree(topology.piece_parents(), threads, [&](std::size_t piece, std::size_t worker) {
+    for (const CchTopology::Rank x : topology.piece(piece)) {
+      take_costs(topology, costs, x);
+      relax_row(topology, x, slots_[worker]);
     }
   });
-  parallel_for(top_.size(), threads, [&](std::size_t i, std::size_t worker) {
-    relax_row(topology, top_[i], Part::subtrees, slots_[worker]);
-  });
-  for (const Rank x : top_) relax_row(topology, x, Part::top, slots_.front());
 }
 
 template <CchWeight W>

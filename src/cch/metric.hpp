@@ -55,20 +55,17 @@ class CchMetric {
                           const Step& step) const;
 
  private:
-  enum class Part : std::uint8_t { all, subtrees, top };
   using Slots = std::vector<CchTopology::EdgeIndex>;
 
-  void take_costs(const CchTopology& topology, const std::vector<Millis>& costs);
+  void take_costs(const CchTopology& topology, const std::vector<Millis>& costs, CchTopology::Rank x);
   [[nodiscard]] Over find_over(const Digraph& graph, const std::vector<Millis>& costs,
                                const CchTopology& topology, const Step& step) const;
-  void relax_row(const CchTopology& topology, CchTopology::Rank x, Part part, Slots& slots);
+  void relax_row(const CchTopology& topology, CchTopology::Rank x, Slots& slots);
 
   static constexpr Over unknown = several - 1;
   mutable std::vector<Over> over_;  ///< by edge, downward and upward; read and written as atomics
   std::vector<Slots>
       slots_;  ///< scratch, one a thread: by rank, the edge that leads there from the row's vertex
-  std::vector<bool> is_top_;            ///< scratch, by rank
-  std::vector<CchTopology::Rank> top_;  ///< scratch: ranks outside the subtrees
 };
 
 extern template class CchMetric<std::uint32_t>;

@@ -16,7 +16,7 @@ CchTopology::CchTopology(const Digraph& graph, EliminationOrder order)
   complete(graph);
   list_parents();
   list_lower_edges();
-  cut_subtrees();
+  cut_pieces();
   place_arcs(graph);
 }
 
@@ -74,39 +74,60 @@ void CchTopology::list_lower_edges() {
   }
 }
 
-void CchTopology::cut_subtrees() {
-  std::vector<std::uint64_t> work(order_.size(),
-                                  0);  // triangles of the whole subtree; a vertex counts as one
-  std::vector<Rank> size(order_.size(), 1);
-  const std::uint64_t limit = (triangle_count_ + order_.size()) / 100;
-  for (Rank v = 0; v < order_.size(); ++v) {
+void CchTopology::cut_pieces() {
+  const auto count = static_cast<Rank>(order_.size());
+  std::vector<std::uint64_t> work(count, 0);  // triangles of the whole subtree; a vertex counts as one
+  const std::uint64_t limit = (triangle_count_ + count) / 100;
+  std::vector<Rank> branches(count, 0);  // children above the limit
+  for (Rank v = 0; v < count; ++v) {
     const std::uint64_t row = heads(v).size();
     work[v] += 1 + row * (row > 0 ? row - 1 : 0) / 2;
     if (parent(v) == v) continue;
     work[parent(v)] += work[v];
-    size[parent(v)] += size[v];
+    if (work[v] > limit) ++branches[parent(v)];
   }
-  for (Rank v = 0; v < order_.size(); ++v) {
-    const bool whole = work[v] <= limit;
-    const bool parent_too = parent(v) != v && work[parent(v)] <= limit;
-    if (whole && !parent_too) subtrees_.push_back({.first = v + 1 - size[v], .last = v + 1});
+  // From the top down: a vertex is in the piece of its parent if that is a subtree, or a path that goes on
+  // here.
+  std::vector<std::size_t> piece_of(count);
+  std::vector<Rank> highest;  // by piece
+  for (Rank v = count; v-- > 0;) {
+    const Rank above = parent(v);
+    const bool is_path = work[v] > limit;
+    const bool goes_on = above != v && (is_path ? branches[above] == 1 : work[above] <= limit);
+    piece_of[v] = goes_on ? piece_of[above] : highest.size();
+    if (!goes_on) highest.push_back(v);
   }
+  const std::size_t pieces = highest.size();
+  const auto number = [&](Rank v) { return pieces - 1 - piece_of[v]; };  // children before parents
+  piece_parents_.resize(pieces);
+  for (std::size_t i = 0; i < pieces; ++i) piece_parents_[pieces - 1 - i] = number(parent(highest[i]));
+  piece_first_.assign(pieces + 1, 0);
+  for (Rank v = 0; v < count; ++v) ++piece_first_[number(v) + 1];
+  for (std::size_t i = 0; i < pieces; ++i) piece_first_[i + 1] += piece_first_[i];
+  std::vector<std::size_t> next(piece_first_.begin(), piece_first_.end() - 1);
+  piece_ranks_.resize(count);
+  for (Rank v = 0; v < count; ++v) piece_ranks_[next[number(v)]++] = v;
 }
 
 void CchTopology::place_arcs(const Digraph& graph) {
-  places_.reserve(graph.arc_count());
-  for (std::size_t i = 0; i < graph.arc_count(); ++i) {
-    const ArcEnds& ends = graph.ends(ArcId{i});
+  place_first_.assign(order_.size() + 1, 0);
+  const auto lower = [&](const ArcEnds& ends) { return std::min(ranks_[ends.tail], ranks_[ends.head]); };
+  const auto for_each = [&](const auto& visit) {
+    for (std::size_t i = 0; i < graph.arc_count(); ++i) {
+      const ArcEnds& ends = graph.ends(ArcId{i});
+      if (ends.tail != ends.head) visit(ArcId{i}, ends);
+    }
+  };
+  for_each([&](ArcId, const ArcEnds& ends) { ++place_first_[lower(ends) + 1]; });
+  for (std::size_t v = 0; v < order_.size(); ++v) place_first_[v + 1] += place_first_[v];
+  places_.resize(place_first_.back());
+  std::vector<std::size_t> next(place_first_.begin(), place_first_.end() - 1);
+  for_each([&](ArcId arc, const ArcEnds& ends) {
     const Rank tail = ranks_[ends.tail];
     const Rank head = ranks_[ends.head];
-    if (tail == head) {
-      places_.push_back({.edge = 0, .upward = false, .is_loop = true});
-      continue;
-    }
-    places_.push_back({.edge = edge_between(std::min(tail, head), std::max(tail, head)),
-                       .upward = tail < head,
-                       .is_loop = false});
-  }
+    places_[next[lower(ends)]++] = {
+        .arc = arc, .edge = edge_between(std::min(tail, head), std::max(tail, head)), .upward = tail < head};
+  });
 }
 
 double mean_climb(const CchTopology& topology) {

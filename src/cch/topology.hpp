@@ -52,28 +52,33 @@ class CchTopology {
     return {lower_.data() + lower_first_[v], lower_.data() + lower_first_[v + 1]};
   }
 
-  /// Ranks first .. last - 1: a whole subtree of the elimination tree. Nothing in it depends on another one.
-  struct Subtree {
-    Rank first;
-    Rank last;
-  };
-  /// The largest subtrees that do not take more than a hundredth of all triangles, ascending; the ranks
-  /// between them are the top of the tree.
-  [[nodiscard]] std::span<const Subtree> subtrees() const { return subtrees_; }
+  /// The elimination tree in pieces: whole subtrees that do not take more than a hundredth of all triangles,
+  /// and above them the paths between two forks. What a piece's rows are made of is in them and in the pieces
+  /// below. Children before parents.
+  [[nodiscard]] std::size_t piece_count() const { return piece_parents_.size(); }
+  [[nodiscard]] std::span<const Rank> piece(std::size_t i) const {  ///< ascending
+    return {piece_ranks_.data() + piece_first_[i], piece_ranks_.data() + piece_first_[i + 1]};
+  }
+  /// By piece: the one above, itself at a root.
+  [[nodiscard]] std::span<const std::size_t> piece_parents() const { return piece_parents_; }
 
-  /// Where the arcs of the graph go: the edge, and whether it is driven from its lower to its higher end.
+  /// Where an arc of the graph goes: the edge, and whether it is driven from its lower to its higher end.
   struct Place {
+    ArcId arc;
     EdgeIndex edge;
     bool upward;
-    bool is_loop;  ///< from a vertex to itself: of no use to anybody
   };
-  [[nodiscard]] Place place(ArcId arc) const { return places_[arc.value]; }
+  /// Of the edges from `v` to higher ranks. Arcs from a vertex to itself are of no use to anybody and left
+  /// out.
+  [[nodiscard]] std::span<const Place> places(Rank v) const {
+    return {places_.data() + place_first_[v], places_.data() + place_first_[v + 1]};
+  }
 
  private:
   void complete(const Digraph& graph);
   void list_parents();
   void list_lower_edges();
-  void cut_subtrees();
+  void cut_pieces();
   void place_arcs(const Digraph& graph);
 
   EliminationOrder order_;
@@ -83,7 +88,10 @@ class CchTopology {
   std::vector<Rank> parents_;
   std::vector<EdgeIndex> lower_first_;
   std::vector<LowerEdge> lower_;
-  std::vector<Subtree> subtrees_;
+  std::vector<std::size_t> piece_parents_;
+  std::vector<std::size_t> piece_first_;
+  std::vector<Rank> piece_ranks_;
+  std::vector<std::size_t> place_first_;
   std::vector<Place> places_;
   std::uint64_t triangle_count_ = 0;
 };

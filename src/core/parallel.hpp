@@ -2,10 +2,14 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <queue>
+#include <span>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace thalweg {
@@ -29,6 +33,66 @@ void parallel_for(std::size_t items, std::size_t threads, Work&& work) {
       const std::scoped_lock lock(failure_mutex);
       if (!failure) failure = std::current_exception();
       next = items;
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t worker = 1; worker < threads && worker < items; ++worker)
+      others.emplace_back(loop, worker);
+    loop(0);
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+/// Calls work(item, worker) for every item of a forest, after all its children; parents[item] > item, or item
+/// itself at a root. Of those that may be done the deepest go first, so that what is left at the end is
+/// short. Scratch, order and exceptions as with parallel_for.
+template <class Work>
+void parallel_tree(std::span<const std::size_t> parents, std::size_t threads, Work&& work) {
+  const std::size_t items = parents.size();
+  if (threads <= 1 || items <= 1) {
+    for (std::size_t item = 0; item < items; ++item) work(item, std::size_t{0});
+    return;
+  }
+  std::vector<std::size_t> depth(items, 0);
+  std::vector<std::size_t> children(items, 0);  // that are not done
+  for (std::size_t item = items; item-- > 0;) {
+    if (parents[item] == item) continue;
+    depth[item] = depth[parents[item]] + 1;
+    ++children[parents[item]];
+  }
+  std::priority_queue<std::pair<std::size_t, std::size_t>> ready;  // depth, item
+  for (std::size_t item = 0; item < items; ++item) {
+    if (children[item] == 0) ready.emplace(depth[item], item);
+  }
+  std::size_t left = items;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  std::condition_variable news;
+  const auto loop = [&](std::size_t worker) {
+    std::unique_lock lock(mutex);
+    while (true) {
+      news.wait(lock, [&] { return !ready.empty() || left == 0; });
+      if (left == 0) return;
+      const std::size_t item = ready.top().second;
+      ready.pop();
+      lock.unlock();
+      std::exception_ptr own;
+      try {
+        work(item, worker);
+      } catch (...) {
+        own = std::current_exception();
+      }
+      lock.lock();
+      if (own) {
+        if (!failure) failure = own;
+        left = 0;
+      } else if (left > 0) {
+        --left;
+        const std::size_t parent = parents[item];
+        if (parent != item && --children[parent] == 0) ready.emplace(depth[parent], parent);
+      }
+      news.notify_all();
     }
   };
   {

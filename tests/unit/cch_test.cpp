@@ -41,26 +41,32 @@ TEST(CchTopology, TheCompletionOfARing) {
   EXPECT_EQ(topology.parent(5), 5U);
   ASSERT_EQ(topology.lower_edges(5).size(), 5U);
   EXPECT_EQ(topology.lower_edges(5).front().tail, 0U);
-  EXPECT_TRUE(topology.place(ArcId{0}).upward);
-  EXPECT_FALSE(topology.place(ArcId{5}).upward);  // 5 -> 0
+  ASSERT_EQ(topology.places(0).size(), 2U);  // 0 -> 1 and 5 -> 0
+  for (const auto& place : topology.places(0))
+    EXPECT_EQ(place.upward, place.arc == ArcId{0}) << place.arc.value;
 }
 
-TEST(CchTopology, EverySubtreeIsARangeAndTheyDoNotTouch) {
+TEST(CchTopology, PiecesHoldEveryRankOnceAndWhatIsBelowIsInPiecesBelow) {
   const Digraph graph = grid_graph(40);
   const CchTopology topology = topology_of(graph);
-  ASSERT_GT(topology.subtrees().size(), 8U);
-  std::vector<std::uint32_t> subtree(topology.vertex_count(), 0);
-  std::uint32_t number = 0;
-  CchTopology::Rank end = 0;
-  for (const auto [first, last] : topology.subtrees()) {
-    EXPECT_LE(end, first);
-    end = last;
-    ++number;
-    for (auto v = first; v < last; ++v) subtree[v] = number;
+  const auto parents = topology.piece_parents();
+  ASSERT_GT(topology.piece_count(), 8U);
+  constexpr std::size_t unseen = 1'000'000;
+  std::vector<std::size_t> piece_of(topology.vertex_count(), unseen);
+  for (std::size_t i = 0; i < topology.piece_count(); ++i) {
+    EXPECT_GE(parents[i], i);
+    ASSERT_FALSE(topology.piece(i).empty());
+    EXPECT_TRUE(std::is_sorted(topology.piece(i).begin(), topology.piece(i).end()));
+    for (const auto rank : topology.piece(i)) {
+      EXPECT_EQ(piece_of[rank], unseen) << rank;
+      piece_of[rank] = i;
+    }
   }
   for (CchTopology::Rank v = 0; v < topology.vertex_count(); ++v) {
     for (const auto head : topology.heads(v)) {
-      EXPECT_TRUE(subtree[head] == 0 || subtree[head] == subtree[v]) << v << " - " << head;
+      std::size_t above = piece_of[v];
+      while (above != piece_of[head] && parents[above] != above) above = parents[above];
+      EXPECT_EQ(above, piece_of[head]) << v << " - " << head;
     }
   }
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <set>
 #include <stdexcept>
@@ -83,6 +84,38 @@ TEST(Parallel, AnExceptionComesOutAndEndsTheWork) {
     };
     EXPECT_THROW(parallel_for(10'000'000, threads, work), std::runtime_error);
     EXPECT_LT(done, 10'000'000U - 1) << threads << " threads";
+  }
+}
+
+// The items of a forest: 0 and 3 below 4, 1 and 2 below 3; 5 below 6.
+constexpr std::array<std::size_t, 7> forest{4, 3, 3, 4, 4, 6, 6};
+
+TEST(ParallelTree, ChildrenAreDoneBeforeTheirParent) {
+  for (const std::size_t threads : {0U, 1U, 2U, 4U, 9U}) {
+    std::array<std::atomic<bool>, forest.size()> done{};
+    std::atomic<int> early = 0;
+    parallel_tree(forest, threads, [&](std::size_t item, std::size_t worker) {
+      EXPECT_LT(worker, std::max<std::size_t>(1, threads));
+      for (std::size_t child = 0; child < forest.size(); ++child) {
+        if (forest[child] == item && child != item && !done[child]) ++early;
+      }
+      EXPECT_FALSE(done[item].exchange(true)) << item << " is done twice";
+    });
+    EXPECT_EQ(early, 0) << threads << " threads";
+    for (std::size_t item = 0; item < forest.size(); ++item) EXPECT_TRUE(done[item]) << item;
+  }
+  parallel_tree({}, 4, [](std::size_t, std::size_t) { FAIL() << "there is nothing to do"; });
+}
+
+TEST(ParallelTree, AnExceptionComesOutAndEndsTheWork) {
+  for (const std::size_t threads : {1U, 4U}) {
+    std::atomic<bool> is_root_done = false;
+    const auto work = [&](std::size_t item, std::size_t) {
+      if (item == 1) throw std::runtime_error("item 1");
+      if (item == 4) is_root_done = true;
+    };
+    EXPECT_THROW(parallel_tree(forest, threads, work), std::runtime_error);
+    EXPECT_FALSE(is_root_done);
   }
 }
 
