@@ -8,16 +8,17 @@
 
 namespace thalweg {
 
+/// The edges that rise from ranks first .. last - 1, as if there were no lower vertices.
 template <CchWeight W>
 void CchMetric<W>::take_costs(const CchTopology& topology, const std::vector<Millis>& costs,
-                              CchTopology::Rank x) {
+                              CchTopology::Rank first, CchTopology::Rank last) {
   constexpr W none = cch_infinity<W>;
-  const auto first = topology.first_edge(x);
-  const auto count = topology.first_edge(x + 1) - first;
-  std::fill_n(up.begin() + first, count, none);
-  std::fill_n(down.begin() + first, count, none);
-  std::fill_n(over_.begin() + 2 * static_cast<std::ptrdiff_t>(first), 2 * std::size_t{count}, unknown);
-  for (const auto& place : topology.places(x)) {
+  const std::size_t edge = topology.first_edge(first);
+  const std::size_t count = topology.first_edge(last) - edge;
+  std::fill_n(up.data() + edge, count, none);
+  std::fill_n(down.data() + edge, count, none);
+  std::fill_n(over_.data() + 2 * edge, 2 * count, unknown);
+  for (const auto& place : topology.places(first, last)) {
     const Millis cost = costs[place.arc.value];
     if (cost >= infinity || static_cast<std::uint64_t>(cost) >= none) continue;
     W& own = place.upward ? up[place.edge] : down[place.edge];
@@ -56,10 +57,14 @@ void CchMetric<W>::customise(const CchTopology& topology, const std::vector<Mill
   slots_.resize(std::max<std::size_t>(threads, 1));
   for (Slots& slots : slots_) slots.resize(topology.vertex_count());
   parallel_tree(topology.piece_parents(), threads, [&](std::size_t piece, std::size_t worker) {
-    for (const CchTopology::Rank x : topology.piece(piece)) {
-      take_costs(topology, costs, x);
-      relax_row(topology, x, slots_[worker]);
+    const auto ranks = topology.piece(piece);
+    for (std::size_t i = 0; i < ranks.size();) {  // those in a row together: a subtree is one such range
+      std::size_t end = i + 1;
+      while (end < ranks.size() && ranks[end] == ranks[end - 1] + 1) ++end;
+      take_costs(topology, costs, ranks[i], ranks[end - 1] + 1);
+      i = end;
     }
+    for (const CchTopology::Rank x : ranks) relax_row(topology, x, slots_[worker]);
   });
 }
 

@@ -57,7 +57,8 @@ class CchMetric {
  private:
   using Slots = std::vector<CchTopology::EdgeIndex>;
 
-  void take_costs(const CchTopology& topology, const std::vector<Millis>& costs, CchTopology::Rank x);
+  void take_costs(const CchTopology& topology, const std::vector<Millis>& costs, CchTopology::Rank first,
+                  CchTopology::Rank last);
   [[nodiscard]] Over find_over(const Digraph& graph, const std::vector<Millis>& costs,
                                const CchTopology& topology, const Step& step) const;
   void relax_row(const CchTopology& topology, CchTopology::Rank x, Slots& slots);

@@ -68,10 +68,10 @@ class CchTopology {
     EdgeIndex edge;
     bool upward;
   };
-  /// Of the edges from `v` to higher ranks. Arcs from a vertex to itself are of no use to anybody and left
-  /// out.
-  [[nodiscard]] std::span<const Place> places(Rank v) const {
-    return {places_.data() + place_first_[v], places_.data() + place_first_[v + 1]};
+  /// Of the edges that rise from first .. last - 1. Arcs from a vertex to itself are of no use to anybody and
+  /// left out.
+  [[nodiscard]] std::span<const Place> places(Rank first, Rank last) const {
+    return {places_.data() + place_first_[first], places_.data() + place_first_[last]};
   }
 
  private:

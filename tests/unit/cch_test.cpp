@@ -41,8 +41,8 @@ TEST(CchTopology, TheCompletionOfARing) {
   EXPECT_EQ(topology.parent(5), 5U);
   ASSERT_EQ(topology.lower_edges(5).size(), 5U);
   EXPECT_EQ(topology.lower_edges(5).front().tail, 0U);
-  ASSERT_EQ(topology.places(0).size(), 2U);  // 0 -> 1 and 5 -> 0
-  for (const auto& place : topology.places(0))
+  ASSERT_EQ(topology.places(0, 1).size(), 2U);  // 0 -> 1 and 5 -> 0
+  for (const auto& place : topology.places(0, 1))
     EXPECT_EQ(place.upward, place.arc == ArcId{0}) << place.arc.value;
 }
 
