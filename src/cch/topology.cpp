@@ -77,7 +77,7 @@ void CchTopology::list_lower_edges() {
 void CchTopology::cut_pieces() {
   const auto count = static_cast<Rank>(order_.size());
   std::vector<std::uint64_t> work(count, 0);  // triangles of the whole subtree; a vertex counts as one
-  const std::uint64_t limit = (triangle_count_ + count) / 100;
+  const std::uint64_t limit = (triangle_count_ + count) / 30;
   std::vector<Rank> branches(count, 0);  // children above the limit
   for (Rank v = 0; v < count; ++v) {
     const std::uint64_t row = heads(v).size();

@@ -52,7 +52,7 @@ class CchTopology {
     return {lower_.data() + lower_first_[v], lower_.data() + lower_first_[v + 1]};
   }
 
-  /// The elimination tree in pieces: whole subtrees that do not take more than a hundredth of all triangles,
+  /// The elimination tree in pieces: whole subtrees that do not take more than a thirtieth of all triangles,
   /// and above them the paths between two forks. What a piece's rows are made of is in them and in the pieces
   /// below. Children before parents.
   [[nodiscard]] std::size_t piece_count() const { return piece_parents_.size(); }
