@@ -59,7 +59,7 @@ class ForecastStrategy : public Strategy {
   [[nodiscard]] bool looks_ahead() const override { return true; }
 
   void watch(const TrafficState& state) override {
-    if (!foresight_) foresight_.emplace(state, memory_);
+    if (!foresight_) foresight_.emplace(state, memory_, ForecastOptions{.tolls = manners_.toll > 0});
     if (!foresight_->watch(state)) return;
     rule_.caution = foresight_->hindsight().caution();
     for (auto& seen : classes_) seen.is_fresh = false;
@@ -122,21 +122,27 @@ class ForecastStrategy : public Strategy {
       static_cast<void>(view.potentials->to(traffic.graph->turns(), view.costs->free_flow(), waypoint));
   }
 
-  [[nodiscard]] Millis toll(const TimedCosts& costs, VertexId road, Millis time) const {
+  /// Its share of what it costs the others that it enters the road at this time.
+  [[nodiscard]] Millis toll(const RoadGraph& graph, const TimedCosts& costs, VertexId vertex,
+                            Millis time) const {
     if (manners_.toll <= 0) return 0;
-    return static_cast<Millis>(manners_.toll * static_cast<double>(costs.toll(road, time)));
+    const RoadId road = graph.road(vertex);
+    const QueueTable& table = foresight_->expected().forecast;
+    const Millis reached = time - foresight_->forecast_at() + costs.road_time(road);
+    return from_seconds(manners_.toll *
+                        static_cast<double>(table.toll(road, table.bin_at(to_seconds(reached)))));
   }
 
   /// Calls `enters(i, time)` for each road of the route but the last.
   template <class Enters>
-  Drive drive(const Digraph& turns, const TimedCosts& costs, std::span<const VertexId> route, Millis time,
+  Drive drive(const RoadGraph& graph, const TimedCosts& costs, std::span<const VertexId> route, Millis time,
               const Enters& enters) const {
     Drive result;
     for (std::size_t i = 0; i + 1 < route.size() && time < infinity; ++i) {
       enters(i, time);
-      result.owed += toll(costs, route[i], time);
+      result.owed += toll(graph, costs, route[i], time);
       Millis next = infinity;
-      for (const Arc& arc : turns.out(route[i])) {
+      for (const Arc& arc : graph.turns().out(route[i])) {
         if (arc.end == route[i + 1]) next = std::min(next, costs.arrive(arc.id, time));
       }
       time = next;
@@ -195,7 +201,7 @@ class ForecastStrategy : public Strategy {
     const TimedCosts& costs = *view.costs;
     const Millis begin = start(graph, costs, traveller);
     const Millis last = crossing_of(graph, costs, traveller.route.back());
-    const Drive old = drive(turns, costs, traveller.route, begin, [](std::size_t, Millis) {});
+    const Drive old = drive(graph, costs, traveller.route, begin, [](std::size_t, Millis) {});
     decision.entered = begin;
     decision.old_cost = old.arrival >= infinity ? infinity : old.arrival - begin + last;
     decision.new_cost = decision.old_cost;
@@ -211,7 +217,7 @@ class ForecastStrategy : public Strategy {
       const auto found = timed_search(
           turns, at, best.arrival, best.owed, waypoint, bound,
           [&](ArcId arc, Millis time) { return costs.arrive(arc, time); },
-          [&](VertexId road, Millis time) { return toll(costs, road, time); },
+          [&](VertexId road, Millis time) { return toll(graph, costs, road, time); },
           [&](VertexId v) { return left[v.value]; }, scratch);
       if (!found || never(found->arrival)) {
         decision.route.clear();  // none at all, or none that the rule would take
@@ -247,7 +253,7 @@ class ForecastStrategy : public Strategy {
   void take_places(const RoadGraph& graph, const Traveller& traveller, std::span<const VertexId> route,
                    double count) {
     const TimedCosts& costs = *classes_[traveller.vehicle_class].costs;
-    drive(graph.turns(), costs, route, start(graph, costs, traveller), [&](std::size_t i, Millis time) {
+    drive(graph, costs, route, start(graph, costs, traveller), [&](std::size_t i, Millis time) {
       const Millis reached = time + crossing_of(graph, costs, route[i]) - foresight_->forecast_at();
       foresight_->bookings().book(graph.road(route[i]), to_seconds(reached), count);
     });

@@ -6,12 +6,12 @@
 
 namespace thalweg {
 
-Foresight::Foresight(const TrafficState& first, const Memory* memory)
+Foresight::Foresight(const TrafficState& first, const Memory* memory, const ForecastOptions& options)
     : network_(first.network),
       conditions_(first.conditions),
       servers_(first.network),
       discharge_(first.network, servers_, first.demand),
-      forecast_(first.network, servers_, discharge_),
+      forecast_(first.network, servers_, discharge_, options),
       level_(first.network),
       residuals_(first.network),
       bookings_(first.network, forecast_.table()),

@@ -18,7 +18,8 @@ namespace thalweg {
 class Foresight {
  public:
   /// With a memory, those who set out on the day before are expected again.
-  explicit Foresight(const TrafficState& first, const Memory* memory = nullptr);
+  explicit Foresight(const TrafficState& first, const Memory* memory = nullptr,
+                     const ForecastOptions& options = {});
   Foresight(const Foresight&) = delete;  // its parts refer to each other
   Foresight& operator=(const Foresight&) = delete;
 

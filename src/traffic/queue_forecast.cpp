@@ -32,7 +32,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       passed_(network.lanes.size()),
       occupancy_(network.roads.size()),
       next_insertion_(network.roads.size()),
-      table_(network, options.bin, options.bins) {}
+      table_(network, options.bin, options.bins, options.tolls) {}
 
 void QueueForecast::observe(const Fleet& fleet, Millis now) {
   for (const VehicleId vehicle : fleet.present()) {

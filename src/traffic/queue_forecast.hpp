@@ -21,6 +21,7 @@ struct ForecastOptions {
   double blocked_retry = 3;       ///< s until the head of a queue looks again for room
   double blocked_patience = 150;  ///< s after which it goes anyway: the forecast must not lock up
   double insertion_retry = 5;     ///< s
+  bool tolls = false;             ///< the table has them
 };
 
 /// Where the queues will be: everybody on the roads, waiting or loaded drives its present route from lane to

@@ -20,13 +20,13 @@ double lone_wait(const Servers& servers, RoadId road) {
 
 }  // namespace
 
-QueueTable::QueueTable(const Network& network, Millis bin, std::size_t bins)
+QueueTable::QueueTable(const Network& network, Millis bin, std::size_t bins, bool with_tolls)
     : network_(network),
       bin_(bin),
       bins_(bins),
       wait_(network.roads.size() * bins, 0.0F),
       arrivals_(network.roads.size() * bins, 0.0F),
-      toll_(network.roads.size() * bins, 0.0F),
+      toll_(with_tolls ? network.roads.size() * bins : 0, 0.0F),
       headway_(network.roads.size(), 0),
       delay_(network.roads.size(), 0),
       lane_{.wait = std::vector<float>(bins), .toll = std::vector<float>(bins)} {}
@@ -42,7 +42,8 @@ void QueueTable::tabulate(const Servers& servers, const Discharge& discharge,
 void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharge, RoadId road,
                                const IdVector<LaneId, std::vector<Passed>>& passed) {
   const std::span<float> waits(wait_.data() + at(road, 0), bins_);
-  const std::span<float> tolls(toll_.data() + at(road, 0), bins_);
+  const std::span<float> tolls =
+      toll_.empty() ? std::span<float>() : std::span(toll_).subspan(at(road, 0), bins_);
   const std::span<float> arrivals(arrivals_.data() + at(road, 0), bins_);
   const Road& own = network_.roads[road];
   double rate = 0;
@@ -64,10 +65,8 @@ void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharg
     const Servers::LaneMeans& means = servers.means(lane);
     tabulate_lane(means.headway * discharge.factor(lane), means.delay, passed[lane]);
     const float weight = static_cast<float>(passed[lane].size()) / static_cast<float>(total);
-    for (std::size_t b = 0; b < bins_; ++b) {
-      waits[b] += weight * lane_.wait[b];
-      tolls[b] += weight * lane_.toll[b];
-    }
+    for (std::size_t b = 0; b < bins_; ++b) waits[b] += weight * lane_.wait[b];
+    for (std::size_t b = 0; b < tolls.size(); ++b) tolls[b] += weight * lane_.toll[b];
     for (const Passed& one : passed[lane]) {
       const auto b =
           static_cast<std::size_t>(std::max(0.0F, one.arrived) / static_cast<float>(to_seconds(bin_)));
@@ -79,7 +78,7 @@ void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharg
 void QueueTable::tabulate_lane(double headway, double delay, std::span<const Passed> passed) {
   const double bin = to_seconds(bin_);
   const double horizon = bin * static_cast<double>(bins_);
-  count_waiting(headway, delay, passed);
+  if (!toll_.empty()) count_waiting(headway, delay, passed);
   std::size_t next = 0;
   double last_left = -1e9;
   for (std::size_t b = 0; b < bins_; ++b) {
@@ -92,6 +91,7 @@ void QueueTable::tabulate_lane(double headway, double delay, std::span<const Pas
     double leave = time + delay;
     if (next > 0) leave = std::max(leave, last_left + headway);
     lane_.wait[b] = static_cast<float>(leave - time);
+    if (toll_.empty()) continue;
     const bool holds_up =
         next < passed.size() && leave + headway > static_cast<double>(passed[next].arrived) + delay;
     lane_.toll[b] = holds_up ? static_cast<float>(headway * std::max(1, waiting_[next])) : 0.0F;

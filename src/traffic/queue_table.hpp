@@ -24,7 +24,7 @@ struct Passed {
 /// that they must leave again.
 class QueueTable {
  public:
-  QueueTable(const Network& network, Millis bin, std::size_t bins);
+  QueueTable(const Network& network, Millis bin, std::size_t bins, bool with_tolls = false);
 
   /// From all that pass the lanes, each lane's in the order of `arrived`.
   void tabulate(const Servers& servers, const Discharge& discharge,
@@ -35,9 +35,10 @@ class QueueTable {
   /// s until one leaves that reaches the end in this bin; by now means the middle of the bin.
   [[nodiscard]] float wait(RoadId road, std::size_t bin) const { return wait_[at(road, bin)]; }
   /// The same for one that enters an empty road now and takes so many s to its end.
-  [[nodiscard]] double wait_after(RoadId road, double seconds) const {
-    return wait(road,
-                std::min(bins_ - 1, static_cast<std::size_t>(std::max(0.0, seconds) / to_seconds(bin_))));
+  [[nodiscard]] double wait_after(RoadId road, double seconds) const { return wait(road, bin_at(seconds)); }
+  /// The one in which a time from the forecast on is, in s; the last for all later ones.
+  [[nodiscard]] std::size_t bin_at(double seconds) const {
+    return std::min(bins_ - 1, static_cast<std::size_t>(std::max(0.0, seconds) / to_seconds(bin_)));
   }
   /// Of that wait, s due to those who are before it.
   [[nodiscard]] double queue(RoadId road, std::size_t bin) const {
@@ -46,7 +47,7 @@ class QueueTable {
   /// Vehicles that reach the end in this bin.
   [[nodiscard]] float arrivals(RoadId road, std::size_t bin) const { return arrivals_[at(road, bin)]; }
   /// s that those behind it wait longer, taken together, because of one that reaches the end in this bin: one
-  /// headway each, until the queue has once been served.
+  /// headway each, until the queue has once been served. Only of a table with tolls.
   [[nodiscard]] float toll(RoadId road, std::size_t bin) const { return toll_[at(road, bin)]; }
   /// s between two that leave the road, by whatever lane.
   [[nodiscard]] double headway(RoadId road) const { return headway_[road]; }
@@ -67,7 +68,7 @@ class QueueTable {
   std::size_t bins_;
   std::vector<float> wait_;
   std::vector<float> arrivals_;
-  std::vector<float> toll_;
+  std::vector<float> toll_;  ///< empty: not asked for
   IdVector<RoadId, double> headway_;
   IdVector<RoadId, double> delay_;  ///< s that the first one waits
   LaneRows lane_;                   ///< scratch: of one lane

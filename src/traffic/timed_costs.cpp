@@ -19,7 +19,6 @@ void TimedCosts::refresh(const Expectation& expected, Millis now) {
   nodes_ = expected.forecast.bins();
   horizon_ = bin_ * static_cast<Millis>(nodes_ - 1);
   costs_.resize(free_flow_.size() * nodes_);
-  tolls_.assign(graph_.turns().vertex_count() * nodes_, 0);
   delay_.resize(nodes_);
   fading_.resize(nodes_);
   for (std::size_t b = 0; b < nodes_; ++b)
@@ -57,11 +56,9 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
     const auto left = static_cast<std::size_t>(at);
     const std::size_t right = std::min(left + 1, nodes_ - 1);
     const double share = at - static_cast<double>(left);
-    const auto between = [&](auto value) { return value(left) * (1 - share) + value(right) * share; };
-    const double wait = between([&](std::size_t i) { return expected.bookings.wait(road, i); });
-    const double toll = between([&](std::size_t i) { return expected.forecast.toll(road, i); });
+    const double wait =
+        expected.bookings.wait(road, left) * (1 - share) + expected.bookings.wait(road, right) * share;
     delay_[b] = extra + wait + residuals.passing(road) * fading_[b];
-    tolls_[v.value * nodes_ + b] = static_cast<std::int32_t>(toll * 1000);
   }
   for (const Arc& arc : out) {
     std::int32_t* cost = costs_.data() + arc.id.value * nodes_;

@@ -45,11 +45,6 @@ class TimedCosts {
     const Millis at = cost[0];
     return entry + (within == 0 ? at : at + (cost[1] - at) * within / bin_);
   }
-  /// What those behind wait longer for one that enters the road at this time (QueueTable::toll).
-  [[nodiscard]] Millis toll(VertexId road, Millis entry) const {
-    const Millis since = std::clamp<Millis>(entry - now_, 0, horizon_);
-    return tolls_[road.value * nodes_ + static_cast<std::size_t>(since / bin_)];
-  }
   /// Nobody in the way: never above what `arrive` takes. By turn.
   [[nodiscard]] const std::vector<Millis>& free_flow() const { return free_flow_; }
   /// To cross the road itself.
@@ -67,7 +62,6 @@ class TimedCosts {
   Millis horizon_ = 0;
   std::size_t nodes_ = 1;
   std::vector<std::int32_t> costs_;  ///< ms, by turn and bin
-  std::vector<std::int32_t> tolls_;  ///< ms, by road and bin
   std::vector<double> fading_;       ///< of passing residuals, by bin
   std::vector<double> slower_;       ///< s above free flow, by road
   std::vector<bool> is_closed_;      ///< by turn

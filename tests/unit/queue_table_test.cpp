@@ -26,7 +26,7 @@ class QueueTableTest : public ::testing::Test {
   RoadId ab = road(net, "AB");
   LaneId lane = net.roads[ab].first_lane;
   IdVector<LaneId, std::vector<Passed>> passed{net.lanes.size()};
-  QueueTable table{net, 20'000, 60};
+  QueueTable table{net, 20'000, 60, true};
 };
 
 TEST_F(QueueTableTest, WhoComesLaterWaitsLonger) {
