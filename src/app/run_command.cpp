@@ -79,12 +79,24 @@ void tell_end(const RunResult& result, Millis stall) {
     warn(fmt::format("SUMO refused {} route(s); those vehicles kept theirs", result.refused));
 }
 
+/// What a comparison with SUMO's device must know: for it the road is open.
+void tell_open_closings(const Network& network, const std::vector<LaneChange>& changes) {
+  const auto open =
+      std::find_if(changes.begin(), changes.end(), [](const LaneChange& c) { return !c.enforced; });
+  if (open == changes.end()) return;
+  warn(fmt::format(
+      "the closingReroute of '{}' names no classes: SUMO's device.rerouting goes on sending vehicles "
+      "through (our routers do not); write disallow=\"all\" to close it for everybody",
+      network.roads[network.lanes[open->lane].road].id));
+}
+
 /// Runs the arm in its folder and fills the summary. What goes wrong is thrown.
 RunResult simulate(const Options& options, const Project& project, const ArmSpec& arm,
                    const RunFolder& folder, RunSummary& summary) {
   ControlOptions control_with = control_options(options);
   control_with.lane_changes =
       read_lane_changes(file_list(project.settings.find("additional-files").value_or("")), project.network);
+  if (arm.name.starts_with("device")) tell_open_closings(project.network, control_with.lane_changes);
   control_with.seed = summary.seed;
   const std::string& decision_output = options.text("decision-output");
   std::optional<DecisionOutput> decisions;  // opened before the work, so that a bad name costs no run

@@ -47,7 +47,8 @@ class Reader {
       LaneChange change{.lane = {},
                         .begin = time_of(interval, "begin", 0),
                         .end = time_of(interval, "end", infinity),
-                        .permissions = allowed(child)};
+                        .permissions = allowed(child),
+                        .enforced = !is_road || child.find("allow") || child.find("disallow")};
       const std::string& id = child.require("id");
       if (!is_road) {
         add(id, change);

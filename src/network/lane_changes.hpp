@@ -18,6 +18,9 @@ struct LaneChange {
   Millis end = infinity;
   Permissions permissions = Permissions::all();  ///< only these classes, of those that the net permits
   std::optional<double> speed{};                 ///< m/s, instead of the net's limit
+  /// False: SUMO leaves the lane's permissions alone (a `closingReroute` without classes). Its rerouter turns
+  /// vehicles round, but its device.rerouting goes on sending them through.
+  bool enforced = true;
 };
 
 /// The closed roads and lanes of rerouters (`closingReroute`, `closingLaneReroute`) and the limits of

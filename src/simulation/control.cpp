@@ -9,6 +9,7 @@
 
 #include "core/hash.hpp"
 #include "simulation/agenda.hpp"
+#include "simulation/kept_positions.hpp"
 #include "simulation/live_traffic.hpp"
 #include "traffic/conditions.hpp"
 
@@ -19,33 +20,6 @@ double cpu_seconds() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
-
-/// Positions in `route`, ascending, that the vehicle must keep: its stops, what is left of its `via`, its
-/// end.
-/// Empty: a stop is not on the route, so that the vehicle had better be left alone.
-std::vector<std::size_t> kept_positions(const Plan& plan, const std::vector<RoadId>& via) {
-  std::vector<std::size_t> kept{plan.route.size() - 1};
-  std::size_t from = 0;
-  for (const RoadId stop : plan.waypoints) {
-    const auto found =
-        std::find(plan.route.begin() + static_cast<std::ptrdiff_t>(from), plan.route.end(), stop);
-    if (found == plan.route.end()) return {};
-    from = static_cast<std::size_t>(found - plan.route.begin());
-    kept.push_back(from);
-  }
-  // The route ahead holds the last few of `via`: they are matched from its end, the first that fails is
-  // behind us.
-  auto end = plan.route.rend();
-  auto position = plan.route.rbegin();
-  for (std::size_t i = via.size(); i-- > 0;) {
-    position = std::find(position, end, via[i]);
-    if (position == end) break;
-    kept.push_back(static_cast<std::size_t>(end - position) - 1);
-  }
-  std::sort(kept.begin(), kept.end());
-  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
-  return kept;
 }
 
 class Controller {

@@ -26,8 +26,6 @@ class LivedTimes {
 
   /// Everybody on the roads at `now`: each stands for the time since the look before.
   void look(std::span<const Observation> vehicles, Millis now);
-  /// As `take`, of the bins that are over by now.
-  [[nodiscard]] const std::vector<std::vector<LivedTime>>& closed() const { return closed_; }
   /// The day is over: what was noted, by bin; roads in order. Less than half a traversal
   /// gives no time, unless somebody stood there for half of the bin: then it counts as half a one.
   [[nodiscard]] std::vector<std::vector<LivedTime>> take();

@@ -24,6 +24,7 @@ class LaneChanges : public ::testing::Test {
         for (const VehicleClass c : {VehicleClass::passenger, VehicleClass::bus})
           what += change.permissions.allows(c) ? (c == VehicleClass::bus ? " bus" : " passenger") : "";
       }
+      if (!change.enforced) what += ", SUMO's device not told";
       const std::string end = change.end == infinity ? "" : std::to_string(change.end / 1000);
       lines.push_back(fmt::format("{} {}-{} {}", net.roads[net.lanes[change.lane].road].id,
                                   change.begin / 1000, end, what));
@@ -44,7 +45,8 @@ TEST_F(LaneChanges, ClosingsOfRerouters) {
         <interval end="30"><closingReroute id="BC" disallow="bus"/><closingLaneReroute id="AB_0"/></interval>
         <interval begin="500"><destProbReroute id="BC"/></interval>
       </rerouter>)"),
-            (Lines{"BC 60-120 for", "BC 300-400 for bus", "BC 0-30 for passenger", "AB 0-30 for"}));
+            (Lines{"BC 60-120 for, SUMO's device not told", "BC 300-400 for bus", "BC 0-30 for passenger",
+                   "AB 0-30 for"}));
 }
 
 TEST_F(LaneChanges, StepsOfSpeedSigns) {
@@ -63,7 +65,7 @@ TEST_F(LaneChanges, OtherFilesAreFollowed) {
                "<r><interval begin=\"1\" end=\"2\"><closingReroute id=\"AB\"/></interval></r>");
   EXPECT_EQ(
       changes_in(R"(<include href="more/included.xml"/><rerouter id="r" edges="AB" file="times.xml"/>)"),
-      (Lines{"AB 0- 1 m/s", "AB 1-2 for"}));
+      (Lines{"AB 0- 1 m/s", "AB 1-2 for, SUMO's device not told"}));
 }
 
 TEST_F(LaneChanges, WhatDoesNotConcernEverybodyIsLeftOut) {
