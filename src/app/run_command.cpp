@@ -96,7 +96,7 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   ControlOptions control_with = control_options(options);
   control_with.lane_changes =
       read_lane_changes(file_list(project.settings.find("additional-files").value_or("")), project.network);
-  if (arm.name.starts_with("device")) tell_open_closings(project.network, control_with.lane_changes);
+  if (!arm.ours && !arm.settings.empty()) tell_open_closings(project.network, control_with.lane_changes);
   control_with.seed = summary.seed;
   const std::string& decision_output = options.text("decision-output");
   std::optional<DecisionOutput> decisions;  // opened before the work, so that a bad name costs no run

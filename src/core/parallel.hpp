@@ -46,7 +46,7 @@ void parallel_for(std::size_t items, std::size_t threads, Work&& work) {
 
 /// Calls work(item, worker) for every item of a forest, after all its children; parents[item] > item, or item
 /// itself at a root. Of those that may be done the deepest go first, so that what is left at the end is
-/// short. Scratch, order and exceptions as with parallel_for.
+/// short. Scratch and exceptions as with parallel_for.
 template <class Work>
 void parallel_tree(std::span<const std::size_t> parents, std::size_t threads, Work&& work) {
   const std::size_t items = parents.size();

@@ -44,11 +44,12 @@ class Reader {
     for (const xml::Node& child : interval.children) {
       const bool is_road = child.name == "closingReroute";
       if (!is_road && child.name != "closingLaneReroute") continue;
-      LaneChange change{.lane = {},
-                        .begin = time_of(interval, "begin", 0),
-                        .end = time_of(interval, "end", infinity),
-                        .permissions = allowed(child),
-                        .enforced = !is_road || child.find("allow") || child.find("disallow")};
+      LaneChange change{
+          .lane = {},
+          .begin = time_of(interval, "begin", 0),
+          .end = time_of(interval, "end", infinity),
+          .permissions = allowed(child),
+          .enforced = !is_road || child.find("allow") != nullptr || child.find("disallow") != nullptr};
       const std::string& id = child.require("id");
       if (!is_road) {
         add(id, change);

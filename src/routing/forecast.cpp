@@ -128,7 +128,7 @@ class ForecastStrategy : public Strategy {
     if (manners_.toll <= 0) return 0;
     const RoadId road = graph.road(vertex);
     const QueueTable& table = foresight_->expected().forecast;
-    const Millis reached = time - foresight_->forecast_at() + costs.road_time(road);
+    const Millis reached = time - foresight_->forecast_at() + crossing_of(graph, costs, vertex);
     return from_seconds(manners_.toll *
                         static_cast<double>(table.toll(road, table.bin_at(to_seconds(reached)))));
   }
@@ -164,32 +164,28 @@ class ForecastStrategy : public Strategy {
     const Millis until_route = std::max<Millis>(0, traveller.until_route);
     if (!traveller.departed) return now + foresight_->insertion(traveller.vehicle, until_route);
     const VertexId front = traveller.route.front();
-    const auto leaving = foresight_->leaving(traveller.vehicle);
-    if (leaving.road == graph.road(front)) return start_in_queue(graph, costs, traveller, leaving.time);
-    if (leaving.road.valid() && traveller.driven <= 0 && leaving.time > now) return leaving.time;
+    if (const auto leaving = foresight_->leaving(traveller.vehicle)) {
+      if (leaving->road == graph.road(front)) return start_in_queue(graph, costs, front, leaving->at);
+      const Servers& servers = foresight_->expected().servers;
+      const MovementId turn = servers.find(leaving->road, graph.road(front));
+      if (turn.valid()) return leaving->at + from_seconds(servers[turn].through);
+    }
     return now + until_route -
            static_cast<Millis>(traveller.driven * static_cast<double>(crossing_of(graph, costs, front)));
   }
-  /// The forecast says when it leaves by its place in the queue; what else it has learned of that road's end
-  /// (residuals) counts by the share of the queue that is still before it.
-  [[nodiscard]] Millis start_in_queue(const RoadGraph& graph, const TimedCosts& costs,
-                                      const Traveller& traveller, Millis leaves) const {
-    const VertexId front = traveller.route.front();
-    const Millis now = foresight_->now();
-    const Millis at = foresight_->forecast_at();
-    Millis whole = infinity;  // from entering now to leaving: the same for all its turns, but those closed
-    for (const Arc& arc : graph.turns().out(front)) {
-      const Millis through = costs.free_flow()[arc.id.value] - costs.road_time(graph.road(front));
-      whole = std::min(whole, costs.arrive(arc.id, at) - at - through);
-    }
-    if (whole >= TimedCosts::closed / 2) return now;
-    const Millis crossing = crossing_of(graph, costs, front);
-    const Millis model = crossing + from_seconds(foresight_->expected().forecast.wait_after(
-                                        graph.road(front), to_seconds(crossing)));
-    const double share =
-        std::min(1.0, static_cast<double>(leaves - now) / static_cast<double>(std::max<Millis>(1000, model)));
-    const Millis left = leaves - now + static_cast<Millis>(share * static_cast<double>(whole - model));
-    return now + std::max<Millis>(0, left) - whole;
+  /// The forecast says when it leaves, by its place in the queue. What the costs know of that road's end
+  /// beside the forecast (residuals, bookings) counts by the share of the road that is still before it.
+  [[nodiscard]] Millis start_in_queue(const RoadGraph& graph, const TimedCosts& costs, VertexId front,
+                                      Millis leaves) const {
+    const Expectation expected = foresight_->expected();
+    const RoadId road = graph.road(front);
+    const double crossing = expected.level.pace() * expected.servers.free_flow(road);
+    const double foretold =
+        crossing + expected.forecast.wait_after(road, crossing);  // who enters now leaves then
+    const Millis whole = costs.to_end(front);
+    const double left = to_seconds(leaves - foresight_->now());
+    const double more = std::min(1.0, left / std::max(1.0, foretold)) * (to_seconds(whole) - foretold);
+    return foresight_->now() + from_seconds(std::max(0.0, left + more)) - whole;
   }
   [[nodiscard]] Millis crossing_of(const RoadGraph& graph, const TimedCosts& costs, VertexId road) const {
     return foresight_->driven(costs.road_time(graph.road(road)));

@@ -9,6 +9,7 @@ namespace thalweg {
 Foresight::Foresight(const TrafficState& first, const Memory* memory, const ForecastOptions& options)
     : network_(first.network),
       conditions_(first.conditions),
+      fleet_(first.fleet),
       servers_(first.network),
       discharge_(first.network, servers_, first.demand),
       forecast_(first.network, servers_, discharge_, options),
@@ -47,9 +48,14 @@ Millis Foresight::insertion(VehicleId vehicle, Millis wanted) const {
   return std::max(wanted, forecast_.insertion(vehicle) - (now_ - forecast_at_));
 }
 
-QueueForecast::Leaving Foresight::leaving(VehicleId vehicle) const {
-  const QueueForecast::Leaving& own = forecast_.leaving(vehicle);
-  return {.road = own.road, .time = std::max(now_, forecast_at_ + own.time)};
+std::optional<Foresight::Leaving> Foresight::leaving(VehicleId vehicle) const {
+  const QueueForecast::Leaving& foretold = forecast_.leaving(vehicle);
+  const FleetVehicle& own = fleet_[vehicle];
+  const std::size_t position = own.position + (own.on_junction ? 1 : 0);
+  const bool is_there = foretold.road.valid() && !own.is_lost && position < own.route.size() &&
+                        own.route[position] == foretold.road;
+  if (!is_there) return {};
+  return Leaving{.road = foretold.road, .at = std::max(now_, forecast_at_ + foretold.time)};
 }
 
 }  // namespace thalweg

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "routing/hindsight.hpp"
 #include "routing/strategy.hpp"
 #include "traffic/bookings.hpp"
@@ -43,8 +45,13 @@ class Foresight {
   }
   /// From now until a vehicle that has not departed gets on its first road; it wants to in `wanted`.
   [[nodiscard]] Millis insertion(VehicleId vehicle, Millis wanted) const;
-  /// The road that it was on at the last forecast, and when it leaves that; not before now.
-  [[nodiscard]] QueueForecast::Leaving leaving(VehicleId vehicle) const;
+  struct Leaving {
+    RoadId road;
+    Millis at;  ///< not before now
+  };
+  /// The road that a vehicle is on or about to enter, and when it leaves that by its own place in the queue.
+  /// Nothing where the last forecast did not have it there.
+  [[nodiscard]] std::optional<Leaving> leaving(VehicleId vehicle) const;
 
   Bookings& bookings() { return bookings_; }
   Hindsight& hindsight() { return hindsight_; }
@@ -54,6 +61,7 @@ class Foresight {
 
   const Network& network_;
   const Conditions& conditions_;
+  const Fleet& fleet_;
   Servers servers_;
   Discharge discharge_;
   QueueForecast forecast_;

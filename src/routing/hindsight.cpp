@@ -48,17 +48,19 @@ double Hindsight::Account::ratio(double prior) const {
 }
 
 double Hindsight::realised() const {
-  if (changed_.arrivals <= 0) return 1;
+  if (changed_.arrivals <= 0) return options_.first;
   const double promised = changed_.old_way - changed_.new_way;
   const double gained = kept_.ratio(options_.prior) * changed_.old_way - changed_.taken;
   const double as_promised = options_.prior * promised / changed_.arrivals;
-  return (gained + as_promised) / (promised + as_promised);
+  return (gained + options_.first * as_promised) / (promised + as_promised);
 }
 
 double Hindsight::caution() const {
   const double share = realised();
   if (share >= options_.enough) return 0;
-  const double disappointment = (1 - share) * (changed_.old_way - changed_.new_way) / changed_.old_way;
+  const double disappointment = changed_.arrivals <= 0
+                                    ? options_.unseen
+                                    : (1 - share) * (changed_.old_way - changed_.new_way) / changed_.old_way;
   return disappointment * std::min(1.0, 1 - share / options_.enough);
 }
 

@@ -9,7 +9,9 @@ namespace thalweg {
 
 struct HindsightOptions {
   double memory = 1200;  ///< s after which what was seen counts 1/e
-  double prior = 30;     ///< arrivals' worth of promises kept, before anything was seen
+  double first = 0.3;    ///< share of the promised gain that is believed in before anything was seen
+  double prior = 30;     ///< arrivals that this is worth
+  double unseen = 0.1;   ///< disappointment before anything was seen, as a share of the time left
   double enough = 0.5;   ///< share of the promised gain that is a reason to go on as before
 };
 
@@ -29,7 +31,7 @@ class Hindsight {
   void observe(const Fleet& fleet, Millis now);
 
   /// Share of the promised gain that those had who changed, were their old ways as much longer than forecast
-  /// as those of the others. Below 0: they lost. 1 before anybody has arrived.
+  /// as those of the others. Below 0: they lost. `first` before anybody has arrived.
   [[nodiscard]] double realised() const;
   /// What a gain must exceed on top: as a share of the time left, by how much those before were disappointed;
   /// 0 where `enough` was realised, and all of it where nothing was.

@@ -13,10 +13,10 @@ Light light(const SignalPhase& phase, std::size_t link) {
   if (link >= phase.state.size()) return Light::closed;
   switch (phase.state[link]) {
     case 'G':
+    case 'O':  // switched off, the right of way
       return Light::open;
     case 'g':
     case 'o':
-    case 'O':
       return Light::permissive;
     case 's':
       return Light::permissive_after_stop;

@@ -185,6 +185,7 @@ void QueueForecast::reach_end(const Event& event) {
   const bool is_last = mover.position + 1 >= mover.route->size();
   mover.movement = is_last ? MovementId{} : servers_.find(road, (*mover.route)[mover.position + 1]);
   if (!mover.movement.valid()) {  // arrived, or its route is not what SUMO drives
+    if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
     --occupancy_[road];
     return;
   }

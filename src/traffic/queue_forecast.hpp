@@ -54,10 +54,10 @@ class QueueForecast {
 
   struct Leaving {
     RoadId road{};    ///< it was there at the last run, or about to enter; invalid: it was on none
-    Millis time = 0;  ///< from then on; the horizon when later
+    Millis time = 0;  ///< from the last run on; the horizon when later
   };
-  /// When a vehicle that was on the roads leaves the one it was on: it knows its own place in the queue,
-  /// which the table does not.
+  /// When a vehicle that was on the roads leaves that one: by its own place in the queue, which the table
+  /// does not know.
   [[nodiscard]] const Leaving& leaving(VehicleId vehicle) const { return leaving_[vehicle]; }
 
  private:
@@ -69,7 +69,7 @@ class QueueForecast {
     LaneId preferred{};
     float arrived = 0;      ///< s from now: at the end of its road
     bool has_turn = false;  ///< of insertion
-    VehicleId vehicle{};    ///< a real one until it has left its first road; else invalid
+    VehicleId vehicle{};    ///< a real one, until it is inserted or leaves the road it was on
   };
   struct Queue {
     std::vector<std::uint32_t> movers;

@@ -26,7 +26,7 @@ class QueueTable {
  public:
   QueueTable(const Network& network, Millis bin, std::size_t bins, bool with_tolls = false);
 
-  /// From all that pass the lanes, each lane's in the order of `arrived`.
+  /// From all that pass the lanes, each lane's in the order of `arrived`, to a tenth of a second.
   void tabulate(const Servers& servers, const Discharge& discharge,
                 const IdVector<LaneId, std::vector<Passed>>& passed);
 

@@ -88,13 +88,18 @@ Servers::Servers(const Network& network, const ServerOptions& options)
   find_feeding_signals();
   for (std::size_t i = 0; i < network.signals.size(); ++i) {
     const auto& programmes = network.signals[SignalId{i}].programmes;
-    if (!programmes.empty()) set_programme(SignalId{i}, programmes.front());
+    if (!programmes.empty()) take_programme(SignalId{i}, programmes.front());
   }
   find_ends(network);
-  refresh_roads(network);
+  refresh_roads();
 }
 
 void Servers::set_programme(SignalId signal, const SignalProgramme& programme) {
+  take_programme(signal, programme);
+  refresh_roads();
+}
+
+void Servers::take_programme(SignalId signal, const SignalProgramme& programme) {
   struct Sum {
     double share = 0;
     double delay = 0;
@@ -118,7 +123,6 @@ void Servers::set_programme(SignalId signal, const SignalProgramme& programme) {
     const double at_any_time = sum.delay / sum.links;
     movements_[movement].delay = coordinated(signal, programme, movement).value_or(at_any_time) + 1;
   }
-  refresh_roads(network_);
 }
 
 std::optional<double> Servers::coordinated(SignalId signal, const SignalProgramme& programme,
@@ -172,9 +176,9 @@ void Servers::find_feeding_signals() {
   }
 }
 
-void Servers::refresh_roads(const Network& network) {
-  means_.assign(network.lanes.size(), {});
-  std::vector<int> count(network.lanes.size(), 0);
+void Servers::refresh_roads() {
+  means_.assign(network_.lanes.size(), {});
+  std::vector<int> count(network_.lanes.size(), 0);
   for (std::size_t i = 0; i < movements_.size(); ++i) {
     for (const LaneId lane : lanes(MovementId{i})) {
       means_[lane].headway += movements_[MovementId{i}].headway;
@@ -187,13 +191,13 @@ void Servers::refresh_roads(const Network& network) {
     means_[LaneId{i}].headway /= count[i];
     means_[LaneId{i}].delay /= count[i];
   }
-  for (std::size_t i = 0; i < network.roads.size(); ++i) {
-    const Road& road = network.roads[RoadId{i}];
+  for (std::size_t i = 0; i < network_.roads.size(); ++i) {
+    const Road& road = network_.roads[RoadId{i}];
     double room = 0;
     double in_service = 0;
     for (std::uint32_t k = 0; k < road.lane_count; ++k) {
       const LaneId lane{road.first_lane.value + k};
-      room += network.lanes[lane].length / options_.space;
+      room += network_.lanes[lane].length / options_.space;
       if (means_[lane].headway > 0) in_service += 1 + means_[lane].delay / means_[lane].headway;
     }
     storage_[RoadId{i}] = std::max({options_.least_storage, room, in_service});

@@ -43,7 +43,7 @@ class Servers {
 
   /// Takes the times of this signal from the programme that runs there now.
   void set_programme(SignalId signal, const SignalProgramme& programme);
-  /// Its limit is another now; in s.
+  /// Its limit is another now; in s. Delays between stop lines of one signal stay as they are.
   void set_free_flow(RoadId road, double seconds) { free_flow_[road] = seconds; }
 
   [[nodiscard]] std::size_t size() const { return movements_.size(); }
@@ -77,7 +77,8 @@ class Servers {
   [[nodiscard]] std::optional<double> coordinated(SignalId signal, const SignalProgramme& programme,
                                                   MovementId movement) const;
   void find_feeding_signals();
-  void refresh_roads(const Network& network);
+  void take_programme(SignalId signal, const SignalProgramme& programme);
+  void refresh_roads();
   void find_ends(const Network& network);
 
   const Network& network_;

@@ -19,6 +19,7 @@ void TimedCosts::refresh(const Expectation& expected, Millis now) {
   nodes_ = expected.forecast.bins();
   horizon_ = bin_ * static_cast<Millis>(nodes_ - 1);
   costs_.resize(free_flow_.size() * nodes_);
+  to_end_.resize(graph_.turns().vertex_count());
   delay_.resize(nodes_);
   fading_.resize(nodes_);
   for (std::size_t b = 0; b < nodes_; ++b)
@@ -42,6 +43,7 @@ void TimedCosts::take_conditions(const Conditions& conditions) {
 
 void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
   const auto out = graph_.turns().out(v);
+  to_end_[v.value] = road_times_[graph_.road(v)];
   if (out.empty()) return;
   const Residuals& residuals = expected.residuals;
   const RoadId road = graph_.road(v);
@@ -60,6 +62,7 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
         expected.bookings.wait(road, left) * (1 - share) + expected.bookings.wait(road, right) * share;
     delay_[b] = extra + wait + residuals.passing(road) * fading_[b];
   }
+  to_end_[v.value] = road_times_[road] + from_seconds(delay_[0]);
   for (const Arc& arc : out) {
     std::int32_t* cost = costs_.data() + arc.id.value * nodes_;
     if (is_closed_[arc.id.value]) {

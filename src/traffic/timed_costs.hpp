@@ -47,6 +47,8 @@ class TimedCosts {
   }
   /// Nobody in the way: never above what `arrive` takes. By turn.
   [[nodiscard]] const std::vector<Millis>& free_flow() const { return free_flow_; }
+  /// From entering the road at the forecast's moment to its end; the turns there come on top.
+  [[nodiscard]] Millis to_end(VertexId road) const { return to_end_[road.value]; }
   /// To cross the road itself.
   [[nodiscard]] Millis road_time(RoadId road) const { return road_times_[road]; }
 
@@ -62,6 +64,7 @@ class TimedCosts {
   Millis horizon_ = 0;
   std::size_t nodes_ = 1;
   std::vector<std::int32_t> costs_;  ///< ms, by turn and bin
+  std::vector<Millis> to_end_;       ///< by road
   std::vector<double> fading_;       ///< of passing residuals, by bin
   std::vector<double> slower_;       ///< s above free flow, by road
   std::vector<bool> is_closed_;      ///< by turn

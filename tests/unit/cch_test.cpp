@@ -63,6 +63,7 @@ TEST(CchTopology, PiecesHoldEveryRankOnceAndWhatIsBelowIsInPiecesBelow) {
     }
   }
   for (CchTopology::Rank v = 0; v < topology.vertex_count(); ++v) {
+    ASSERT_NE(piece_of[v], unseen) << v;
     for (const auto head : topology.heads(v)) {
       std::size_t above = piece_of[v];
       while (above != piece_of[head] && parents[above] != above) above = parents[above];

@@ -19,9 +19,9 @@ TEST(Green, CountsEachKindOfLight) {
   const auto p = programme({{.duration = 10'000, .state = "Gr"},
                             {.duration = 3'000, .state = "yg"},
                             {.duration = 20'000, .state = "ss"},
-                            {.duration = 7'000, .state = "rO"}});
+                            {.duration = 7'000, .state = "Oo"}});
   const Green first = green_of(p, 0);
-  EXPECT_EQ(first.protected_, 10);
+  EXPECT_EQ(first.protected_, 10 + 7) << "switched off: who has the right of way, has it";
   EXPECT_EQ(first.yellow, 3);
   EXPECT_EQ(first.permissive, 10) << "a stop, then on: half of it";
   EXPECT_EQ(first.cycle, 40);

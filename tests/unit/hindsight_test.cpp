@@ -31,7 +31,8 @@ class HindsightTest : public ::testing::Test {
 // the 40 s promised to the one that changed, 110 - 90 = 20 came true.
 TEST_F(HindsightTest, WhatChangingBroughtIsHeldAgainstThoseThatKeptTheirWay) {
   Hindsight hindsight(100, no_prior);
-  EXPECT_EQ(hindsight.realised(), 1);
+  EXPECT_EQ(hindsight.realised(), no_prior.first) << "nobody has arrived yet";
+  EXPECT_NEAR(hindsight.caution(), no_prior.unseen * (1 - 0.3 / 0.5), 1e-6);
   for (std::uint32_t i = 0; i < 2; ++i) depart(i);
   hindsight.decided(VehicleId{0U}, 0, 100'000, 60'000, true);
   hindsight.decided(VehicleId{1U}, 0, 100'000, 100'000, false);
@@ -73,15 +74,15 @@ TEST_F(HindsightTest, TheLastChangeCountsElseTheFirstDecision) {
 }
 
 TEST_F(HindsightTest, AFewArrivalsSayLittleAndOldOnesAreForgotten) {
-  Hindsight hindsight(100, {.memory = 1000, .prior = 9});
+  Hindsight hindsight(100, {.memory = 1000, .first = 0.5, .prior = 9});
   depart(0);
   depart(1);
   hindsight.decided(VehicleId{0U}, 0, 100'000, 60'000, true);
   arrive(0, 100'000, hindsight);
-  EXPECT_NEAR(hindsight.realised(), 0.9, 1e-6) << "one in ten had nothing of it";
+  EXPECT_NEAR(hindsight.realised(), 0.45, 1e-6) << "one in ten had nothing of it";
   hindsight.decided(VehicleId{1U}, 10'000'000, 10'100'000, 10'060'000, true);
   arrive(1, 10'060'000, hindsight);
-  EXPECT_NEAR(hindsight.realised(), 1, 1e-3);
+  EXPECT_NEAR(hindsight.realised(), (9 * 0.5 + 1) / 10, 1e-3) << "what the second was promised came true";
 }
 
 TEST_F(HindsightTest, WhereThereIsNoWayNothingWasPromised) {
@@ -89,7 +90,7 @@ TEST_F(HindsightTest, WhereThereIsNoWayNothingWasPromised) {
   depart(0);
   hindsight.decided(VehicleId{0U}, 0, infinity, 100'000, true);
   arrive(0, 500'000, hindsight);
-  EXPECT_EQ(hindsight.realised(), 1);
+  EXPECT_EQ(hindsight.realised(), no_prior.first);
 }
 
 }  // namespace

@@ -124,8 +124,8 @@ TEST_F(Queues, WhoWaitsIsInsertedInTurn) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(forecast.insertion(VehicleId{i}), expected[i]) << i;
 }
 
-// Three stand at the end of AB: the first leaves at once, the third 4 s later, though who comes behind them
-// waits 6 s. The fourth has 200 of the 300 m to go, the fifth was not seen.
+// Three stand at the end of AB: the first leaves at once, the third 4 s later. The fourth has 200 of the 300
+// m to go, the fifth was not seen.
 TEST_F(Queues, WhoStandsKnowsItsPlaceInTheQueue) {
   Driven driven(net, 5);
   const Discharge discharge(net, servers, driven.demand);
