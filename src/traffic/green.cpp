@@ -2,6 +2,7 @@
 #include "traffic/green.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace thalweg {
@@ -44,7 +45,7 @@ Green green_of(const SignalProgramme& programme, std::size_t link) {
     green.cycle += seconds;
     switch (light(phase, link)) {
       case Light::open:
-        green.protected_ += seconds;
+        green.priority += seconds;
         break;
       case Light::permissive:
         green.permissive += seconds;
@@ -67,7 +68,8 @@ std::optional<double> coordinated_wait(const SignalProgramme& programme, std::sp
   constexpr std::size_t longest_cycle = 3600;  // s; a strange file must not hold us up
   std::vector<const SignalPhase*> seconds;
   for (const SignalPhase& phase : programme.phases) {
-    const auto count = static_cast<std::size_t>(std::max(0.0, to_seconds(phase.duration) + 0.5));
+    const auto count =
+        static_cast<std::size_t>(std::lround(std::clamp(to_seconds(phase.duration), 0.0, 3600.0)));
     seconds.insert(seconds.end(), std::min(count, longest_cycle - seconds.size()), &phase);
   }
   const std::size_t cycle = seconds.size();
@@ -85,7 +87,7 @@ std::optional<double> coordinated_wait(const SignalProgramme& programme, std::sp
   double weight = 0;
   double sum = 0;
   for (const Feeder& feeder : feeders) {
-    const auto travel = static_cast<std::size_t>(std::max(0.0, feeder.travel) + 0.5);
+    const auto travel = static_cast<std::size_t>(std::lround(std::max(0.0, feeder.travel)));
     for (std::size_t second = 0; second < cycle; ++second) {
       const double coming = flow(light(*seconds[second], feeder.link), permissive);
       const std::size_t wait = until_open[(second + travel) % cycle];

@@ -10,7 +10,7 @@ namespace thalweg {
 
 /// For how long one link of a signal may be driven in a cycle, in s.
 struct Green {
-  double protected_ = 0;  ///< nobody to give way to
+  double priority = 0;  ///< nobody to give way to
   double permissive = 0;
   double yellow = 0;
   double cycle = 0;

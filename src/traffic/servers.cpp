@@ -110,8 +110,8 @@ void Servers::take_programme(SignalId signal, const SignalProgramme& programme) 
     const Green green = green_of(programme, link.index);
     if (green.cycle <= 0) return;  // switched off: as it was
     const double open =
-        green.protected_ + options_.permissive * green.permissive + options_.yellow * green.yellow;
-    const double red = std::max(0.0, green.cycle - green.protected_ - green.permissive - 0.5 * green.yellow);
+        green.priority + options_.permissive * green.permissive + options_.yellow * green.yellow;
+    const double red = std::max(0.0, green.cycle - green.priority - green.permissive - 0.5 * green.yellow);
     Sum& sum = sums[link.movement];
     sum.share += open / green.cycle;
     sum.delay += red * red / (2 * green.cycle);

@@ -21,14 +21,14 @@ TEST(Green, CountsEachKindOfLight) {
                             {.duration = 20'000, .state = "ss"},
                             {.duration = 7'000, .state = "Oo"}});
   const Green first = green_of(p, 0);
-  EXPECT_EQ(first.protected_, 10 + 7) << "switched off: who has the right of way, has it";
+  EXPECT_EQ(first.priority, 10 + 7) << "switched off: who has the right of way, has it";
   EXPECT_EQ(first.yellow, 3);
   EXPECT_EQ(first.permissive, 10) << "a stop, then on: half of it";
   EXPECT_EQ(first.cycle, 40);
   const Green second = green_of(p, 1);
-  EXPECT_EQ(second.protected_, 0);
+  EXPECT_EQ(second.priority, 0);
   EXPECT_EQ(second.permissive, 3 + 10 + 7);
-  EXPECT_EQ(green_of(p, 2).protected_, 0) << "the programme has no such link";
+  EXPECT_EQ(green_of(p, 2).priority, 0) << "the programme has no such link";
 }
 
 //    --0-->[ road, 5 s ]--1-->      both links of one signal, cycle 60 s
