@@ -68,9 +68,9 @@ std::optional<double> coordinated_wait(const SignalProgramme& programme, std::sp
   constexpr std::size_t longest_cycle = 3600;  // s; a strange file must not hold us up
   std::vector<const SignalPhase*> seconds;
   for (const SignalPhase& phase : programme.phases) {
-    const auto count =
-        static_cast<std::size_t>(std::lround(std::clamp(to_seconds(phase.duration), 0.0, 3600.0)));
-    seconds.insert(seconds.end(), std::min(count, longest_cycle - seconds.size()), &phase);
+    const auto room = static_cast<double>(longest_cycle - seconds.size());
+    const auto count = std::lround(std::clamp(to_seconds(phase.duration), 0.0, room));
+    seconds.insert(seconds.end(), static_cast<std::size_t>(count), &phase);
   }
   const std::size_t cycle = seconds.size();
   const auto is_open = [&](std::size_t second) {
