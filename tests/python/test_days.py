@@ -49,7 +49,8 @@ class Days(support.TestCase):
             self.assertEqual(len({vehicle.get("id") for vehicle in routes}), VEHICLES)
 
     def test_the_times_are_those_of_sumos_own_measurement(self):
-        """Day 1's vehicle-seconds by road against edgeData's, over the whole day."""
+        """Day 1's vehicle-seconds by road against edgeData's, over the whole day. Bins with less than half a traversal
+        are left out by design: a road with 200 vehicle-seconds may lose a fifth to that, all together next to nothing."""
         folder = self.folder()
         write(folder / "e.add.xml", '<additional><edgeData id="e" file="edges.xml" withInternal="true"/></additional>')
         self.succeeds("run", "-c", self.configuration, "-a", folder / "e.add.xml", "-o", folder / "run",
@@ -64,7 +65,9 @@ class Days(support.TestCase):
         normal = [road for road in seen if not road.startswith(":") and seen[road] > 200]
         self.assertGreater(len(normal), 20)
         for road in normal:
-            self.assertLess(abs(lived[road] - seen[road]), 0.15 * seen[road], road)
+            self.assertLess(abs(lived[road] - seen[road]), 0.25 * seen[road], road)
+        total = sum(seen[road] for road in normal)
+        self.assertLess(abs(sum(lived[road] for road in normal) - total), 0.05 * total)
 
     def test_duarouter_reads_the_memory(self):
         folder = self.folder()
