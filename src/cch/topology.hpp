@@ -55,7 +55,6 @@ class CchTopology {
   /// The elimination tree in pieces: whole subtrees that do not take more than a thirtieth of all triangles,
   /// and above them the paths between two forks. What a piece's rows are made of is in them and in the pieces
   /// below. Children before parents.
-  [[nodiscard]] std::size_t piece_count() const { return piece_parents_.size(); }
   [[nodiscard]] std::span<const Rank> piece(std::size_t i) const {  ///< ascending
     return {piece_ranks_.data() + piece_first_[i], piece_ranks_.data() + piece_first_[i + 1]};
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
@@ -13,6 +14,14 @@
 #include <vector>
 
 namespace thalweg {
+
+/// Calls loop(worker) for every worker below `workers` at once, the first of them here, and waits for all.
+template <class Loop>
+void run_workers(std::size_t workers, const Loop& loop) {
+  std::vector<std::jthread> others;
+  for (std::size_t worker = 1; worker < workers; ++worker) others.emplace_back(loop, worker);
+  loop(std::size_t{0});
+}
 
 /// Calls work(item, worker) for every item below `items`; worker < `threads` says whose scratch may be used.
 /// Items are taken in order but finish in any: `work` writes to the item's own place only, so that the result
@@ -35,12 +44,7 @@ void parallel_for(std::size_t items, std::size_t threads, Work&& work) {
       next = items;
     }
   };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t worker = 1; worker < threads && worker < items; ++worker)
-      others.emplace_back(loop, worker);
-    loop(0);
-  }
+  run_workers(std::min(threads, items), loop);
   if (failure) std::rethrow_exception(failure);
 }
 
@@ -95,12 +99,7 @@ void parallel_tree(std::span<const std::size_t> parents, std::size_t threads, Wo
       news.notify_all();
     }
   };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t worker = 1; worker < threads && worker < items; ++worker)
-      others.emplace_back(loop, worker);
-    loop(0);
-  }
+  run_workers(std::min(threads, items), loop);
   if (failure) std::rethrow_exception(failure);
 }
 

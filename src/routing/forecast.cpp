@@ -128,9 +128,8 @@ class ForecastStrategy : public Strategy {
     if (manners_.toll <= 0) return 0;
     const RoadId road = graph.road(vertex);
     const QueueTable& table = foresight_->expected().forecast;
-    const Millis reached = time - foresight_->forecast_at() + crossing_of(graph, costs, vertex);
-    return from_seconds(manners_.toll *
-                        static_cast<double>(table.toll(road, table.bin_at(to_seconds(reached)))));
+    const std::size_t bin = table.bin_at(reaches_end(graph, costs, vertex, time));
+    return from_seconds(manners_.toll * static_cast<double>(table.toll(road, bin)));
   }
 
   /// Calls `enters(i, time)` for each road of the route but the last.
@@ -187,6 +186,11 @@ class ForecastStrategy : public Strategy {
     const double more = std::min(1.0, left / std::max(1.0, foretold)) * (to_seconds(whole) - foretold);
     return foresight_->now() + from_seconds(std::max(0.0, left + more)) - whole;
   }
+  /// In s from the forecast on, of one that enters the road at this time.
+  [[nodiscard]] double reaches_end(const RoadGraph& graph, const TimedCosts& costs, VertexId road,
+                                   Millis time) const {
+    return to_seconds(time + crossing_of(graph, costs, road) - foresight_->forecast_at());
+  }
   [[nodiscard]] Millis crossing_of(const RoadGraph& graph, const TimedCosts& costs, VertexId road) const {
     return foresight_->driven(costs.road_time(graph.road(road)));
   }
@@ -237,8 +241,10 @@ class ForecastStrategy : public Strategy {
     for (std::size_t i = 0; i < due.size(); ++i) {
       if (!decisions[i].change) continue;
       const RoadGraph& graph = *traffic[due[i].vehicle_class].graph;
-      take_places(graph, due[i], due[i].route, -1);
-      take_places(graph, due[i], decisions[i].route, +1);
+      const TimedCosts& costs = *classes_[due[i].vehicle_class].costs;
+      const Millis entered = *decisions[i].entered;
+      take_places(graph, costs, due[i].route, entered, -1);
+      take_places(graph, costs, decisions[i].route, entered, +1);
     }
     for (const RoadId road : foresight_->bookings().take_changed()) {
       for (ClassView& view : classes_) {
@@ -246,12 +252,10 @@ class ForecastStrategy : public Strategy {
       }
     }
   }
-  void take_places(const RoadGraph& graph, const Traveller& traveller, std::span<const VertexId> route,
-                   double count) {
-    const TimedCosts& costs = *classes_[traveller.vehicle_class].costs;
-    drive(graph, costs, route, start(graph, costs, traveller), [&](std::size_t i, Millis time) {
-      const Millis reached = time + crossing_of(graph, costs, route[i]) - foresight_->forecast_at();
-      foresight_->bookings().book(graph.road(route[i]), to_seconds(reached), count);
+  void take_places(const RoadGraph& graph, const TimedCosts& costs, std::span<const VertexId> route,
+                   Millis entered, double count) {
+    drive(graph, costs, route, entered, [&](std::size_t i, Millis time) {
+      foresight_->bookings().book(graph.road(route[i]), reaches_end(graph, costs, route[i], time), count);
     });
   }
 

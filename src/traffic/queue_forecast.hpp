@@ -93,6 +93,7 @@ class QueueForecast {
     std::uint32_t first = none;
     std::uint32_t last = none;
   };
+
   void place(VehicleId id, const FleetVehicle& vehicle, double now);
   void assume_departures(const Fleet& fleet, Millis now);
   void repeat_departures(Millis known_until, Millis now);

@@ -86,20 +86,15 @@ Servers::Servers(const Network& network, const ServerOptions& options)
         {.movement = find(c.from, c.to), .index = static_cast<std::size_t>(c.link_index)});
   }
   find_feeding_signals();
+  for (std::size_t i = 0; i < network.roads.size(); ++i) refresh_road(RoadId{i});
   for (std::size_t i = 0; i < network.signals.size(); ++i) {
     const auto& programmes = network.signals[SignalId{i}].programmes;
-    if (!programmes.empty()) take_programme(SignalId{i}, programmes.front());
+    if (!programmes.empty()) set_programme(SignalId{i}, programmes.front());
   }
   find_ends(network);
-  refresh_roads();
 }
 
 void Servers::set_programme(SignalId signal, const SignalProgramme& programme) {
-  take_programme(signal, programme);
-  refresh_roads();
-}
-
-void Servers::take_programme(SignalId signal, const SignalProgramme& programme) {
   struct Sum {
     double share = 0;
     double delay = 0;
@@ -122,6 +117,7 @@ void Servers::take_programme(SignalId signal, const SignalProgramme& programme) 
         options_.saturation_headway / std::max(options_.least_share, sum.share / sum.links);
     const double at_any_time = sum.delay / sum.links;
     movements_[movement].delay = coordinated(signal, programme, movement).value_or(at_any_time) + 1;
+    refresh_road(movements_[movement].from);
   }
 }
 
@@ -176,32 +172,28 @@ void Servers::find_feeding_signals() {
   }
 }
 
-void Servers::refresh_roads() {
-  means_.assign(network_.lanes.size(), {});
-  std::vector<int> count(network_.lanes.size(), 0);
-  for (std::size_t i = 0; i < movements_.size(); ++i) {
-    for (const LaneId lane : lanes(MovementId{i})) {
-      means_[lane].headway += movements_[MovementId{i}].headway;
-      means_[lane].delay += movements_[MovementId{i}].delay;
-      ++count[lane.value];
+void Servers::refresh_road(RoadId road) {
+  const Road& own = network_.roads[road];
+  double room = 0;
+  double in_service = 0;
+  for (std::uint32_t k = 0; k < own.lane_count; ++k) {
+    const LaneId lane{own.first_lane.value + k};
+    LaneMeans& means = means_[lane] = {};
+    int count = 0;
+    for (std::size_t m = first_of(road); m < last_of(road); ++m) {
+      const auto by = lanes(MovementId{m});
+      if (std::find(by.begin(), by.end(), lane) == by.end()) continue;
+      means.headway += movements_[MovementId{m}].headway;
+      means.delay += movements_[MovementId{m}].delay;
+      ++count;
     }
+    room += network_.lanes[lane].length / options_.space;
+    if (count == 0) continue;
+    means.headway /= count;
+    means.delay /= count;
+    if (means.headway > 0) in_service += 1 + means.delay / means.headway;
   }
-  for (std::size_t i = 0; i < means_.size(); ++i) {
-    if (count[i] == 0) continue;
-    means_[LaneId{i}].headway /= count[i];
-    means_[LaneId{i}].delay /= count[i];
-  }
-  for (std::size_t i = 0; i < network_.roads.size(); ++i) {
-    const Road& road = network_.roads[RoadId{i}];
-    double room = 0;
-    double in_service = 0;
-    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
-      const LaneId lane{road.first_lane.value + k};
-      room += network_.lanes[lane].length / options_.space;
-      if (means_[lane].headway > 0) in_service += 1 + means_[lane].delay / means_[lane].headway;
-    }
-    storage_[RoadId{i}] = std::max({options_.least_storage, room, in_service});
-  }
+  storage_[road] = std::max({options_.least_storage, room, in_service});
 }
 
 }  // namespace thalweg

@@ -77,8 +77,8 @@ class Servers {
   [[nodiscard]] std::optional<double> coordinated(SignalId signal, const SignalProgramme& programme,
                                                   MovementId movement) const;
   void find_feeding_signals();
-  void take_programme(SignalId signal, const SignalProgramme& programme);
-  void refresh_roads();
+  /// What follows from the movements that leave it: the means of its lanes, its room.
+  void refresh_road(RoadId road);
   void find_ends(const Network& network);
 
   const Network& network_;

@@ -43,10 +43,12 @@ void TimedCosts::take_conditions(const Conditions& conditions) {
 
 void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
   const auto out = graph_.turns().out(v);
-  to_end_[v.value] = road_times_[graph_.road(v)];
-  if (out.empty()) return;
-  const Residuals& residuals = expected.residuals;
   const RoadId road = graph_.road(v);
+  if (out.empty()) {
+    to_end_[v.value] = road_times_[road];
+    return;
+  }
+  const Residuals& residuals = expected.residuals;
   const double bin = to_seconds(bin_);
   const double extra =
       slower_[road.value] + expected.level.extra(expected.servers, road) + residuals.lasting(road);
