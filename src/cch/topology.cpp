@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/rows.hpp"
 
 namespace thalweg {
 
@@ -62,16 +63,13 @@ void CchTopology::list_parents() {
 }
 
 void CchTopology::list_lower_edges() {
-  lower_first_.assign(order_.size() + 1, 0);
-  for (const Rank head : heads_) ++lower_first_[head + 1];
-  for (std::size_t v = 0; v < order_.size(); ++v) lower_first_[v + 1] += lower_first_[v];
-  lower_.resize(heads_.size());
-  std::vector<EdgeIndex> next(lower_first_.begin(), lower_first_.end() - 1);
-  for (Rank v = 0; v < order_.size(); ++v) {
-    for (EdgeIndex edge = first_[v]; edge < first_[v + 1]; ++edge) {
-      lower_[next[heads_[edge]]++] = {.tail = v, .edge = edge};
+  const auto for_each = [&](const auto& visit) {
+    for (Rank v = 0; v < order_.size(); ++v) {
+      for (EdgeIndex edge = first_[v]; edge < first_[v + 1]; ++edge)
+        visit(heads_[edge], [&] { return LowerEdge{.tail = v, .edge = edge}; });
     }
-  }
+  };
+  fill_rows(order_.size(), for_each, lower_first_, lower_);
 }
 
 void CchTopology::cut_pieces() {
@@ -101,33 +99,26 @@ void CchTopology::cut_pieces() {
   const auto number = [&](Rank v) { return pieces - 1 - piece_of[v]; };  // children before parents
   piece_parents_.resize(pieces);
   for (std::size_t i = 0; i < pieces; ++i) piece_parents_[pieces - 1 - i] = number(parent(highest[i]));
-  piece_first_.assign(pieces + 1, 0);
-  for (Rank v = 0; v < count; ++v) ++piece_first_[number(v) + 1];
-  for (std::size_t i = 0; i < pieces; ++i) piece_first_[i + 1] += piece_first_[i];
-  std::vector<std::size_t> next(piece_first_.begin(), piece_first_.end() - 1);
-  piece_ranks_.resize(count);
-  for (Rank v = 0; v < count; ++v) piece_ranks_[next[number(v)]++] = v;
+  const auto for_each = [&](const auto& visit) {
+    for (Rank v = 0; v < count; ++v) visit(number(v), [&] { return v; });
+  };
+  fill_rows(pieces, for_each, piece_first_, piece_ranks_);
 }
 
 void CchTopology::place_arcs(const Digraph& graph) {
-  place_first_.assign(order_.size() + 1, 0);
-  const auto lower = [&](const ArcEnds& ends) { return std::min(ranks_[ends.tail], ranks_[ends.head]); };
   const auto for_each = [&](const auto& visit) {
     for (std::size_t i = 0; i < graph.arc_count(); ++i) {
-      const ArcEnds& ends = graph.ends(ArcId{i});
-      if (ends.tail != ends.head) visit(ArcId{i}, ends);
+      const Rank tail = ranks_[graph.ends(ArcId{i}).tail];
+      const Rank head = ranks_[graph.ends(ArcId{i}).head];
+      if (tail == head) continue;
+      const Rank lower = std::min(tail, head);
+      visit(lower, [&] {
+        const Rank higher = std::max(tail, head);
+        return Place{.arc = ArcId{i}, .edge = edge_between(lower, higher), .upward = tail < head};
+      });
     }
   };
-  for_each([&](ArcId, const ArcEnds& ends) { ++place_first_[lower(ends) + 1]; });
-  for (std::size_t v = 0; v < order_.size(); ++v) place_first_[v + 1] += place_first_[v];
-  places_.resize(place_first_.back());
-  std::vector<std::size_t> next(place_first_.begin(), place_first_.end() - 1);
-  for_each([&](ArcId arc, const ArcEnds& ends) {
-    const Rank tail = ranks_[ends.tail];
-    const Rank head = ranks_[ends.head];
-    places_[next[lower(ends)]++] = {
-        .arc = arc, .edge = edge_between(std::min(tail, head), std::max(tail, head)), .upward = tail < head};
-  });
+  fill_rows(order_.size(), for_each, place_first_, places_);
 }
 
 double mean_climb(const CchTopology& topology) {

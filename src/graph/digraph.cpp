@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/digraph.hpp"
 
+#include "core/rows.hpp"
+
 namespace thalweg {
 namespace {
 
-/// Counting sort of the arcs by the end that `key` picks; `other` is what the row shows.
+/// Rows of arcs by the end that `key` picks; `other` is what the row shows.
 void build_rows(std::size_t vertices, std::span<const ArcEnds> ends, VertexId ArcEnds::*key,
                 VertexId ArcEnds::*other, std::vector<std::uint32_t>& first, std::vector<Arc>& rows) {
-  first.assign(vertices + 1, 0);
-  for (const ArcEnds& arc : ends) ++first[(arc.*key).value + 1];
-  for (std::size_t v = 0; v < vertices; ++v) first[v + 1] += first[v];
-  rows.resize(ends.size());
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    rows[next[(ends[i].*key).value]++] = Arc{.end = ends[i].*other, .id = ArcId{i}};
-  }
+  const auto for_each = [&](const auto& visit) {
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      visit((ends[i].*key).value, [&] { return Arc{.end = ends[i].*other, .id = ArcId{i}}; });
+  };
+  fill_rows(vertices, for_each, first, rows);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "core/nearest.hpp"
 #include "core/number.hpp"
 #include "core/parallel.hpp"
+#include "core/rows.hpp"
 
 namespace thalweg {
 namespace {
@@ -136,6 +137,20 @@ TEST(Number, SplitDropsWhatIsEmpty) {
   EXPECT_EQ(split("", ","), Parts{});
   EXPECT_EQ(split(",,", ","), Parts{});
   EXPECT_EQ(split("one", ","), Parts{"one"});
+}
+
+TEST(Rows, HoldTheirItemsInTheOrderInWhichTheyCame) {
+  const std::string words[] = {"cab", "a", "bud", "ape", "cow", "", "bee"};
+  std::vector<unsigned> first;
+  std::vector<std::string> rows;
+  const auto for_each = [&](const auto& visit) {
+    for (const std::string& word : words) {
+      if (!word.empty()) visit(static_cast<std::size_t>(word.front() - 'a'), [&] { return word; });
+    }
+  };
+  fill_rows(4, for_each, first, rows);  // nothing begins with a d
+  EXPECT_EQ(first, (std::vector<unsigned>{0, 2, 4, 6, 6}));
+  EXPECT_EQ(rows, (std::vector<std::string>{"a", "ape", "bud", "bee", "cab", "cow"}));
 }
 
 TEST(Id, AnEmptyIdNamesNothing) {
