@@ -21,11 +21,9 @@ class Reader {
   explicit Reader(const Network& network) : network_(network) {}
 
   void read(const fs::path& file) {
-    const fs::path folder = file.parent_path();
-    xml::read_nodes(file, [&](const xml::Node& node) {
-      if (node.name == "include") read(folder / node.require("href"));
-      if (node.name == "rerouter") rerouter(node, folder);
-      if (node.name == "variableSpeedSign") speed_sign(node, folder);
+    xml::read_nodes_and_included(file, [&](const xml::Node& node, const fs::path& of) {
+      if (node.name == "rerouter") rerouter(node, of.parent_path());
+      if (node.name == "variableSpeedSign") speed_sign(node, of.parent_path());
     });
   }
 

@@ -7,6 +7,8 @@
 
 namespace thalweg::xml {
 
+namespace fs = std::filesystem;
+
 const std::string* Node::find(std::string_view attribute) const {
   for (const auto& [key, value] : attributes) {
     if (key == attribute) return &value;
@@ -82,6 +84,33 @@ class NodeHandler : public Handler {
   std::vector<Node> open_;  ///< from the element below the root down to the innermost
 };
 
+class IncludingReader {
+ public:
+  IncludingReader(const std::function<void(const Element&)>& root,
+                  const std::function<void(Node&, const fs::path&)>& each)
+      : root_(root), each_(each) {}
+
+  void read(const fs::path& file) {
+    const fs::path canonical = fs::weakly_canonical(file);
+    verify(std::find(open_.begin(), open_.end(), canonical) == open_.end(),
+           fmt::format("{} includes itself", file.string()));
+    open_.push_back(canonical);
+    read_nodes(file, root_, [&](Node& node) {
+      if (node.name == "include") {
+        read(file.parent_path() / node.require("href"));
+      } else {
+        each_(node, file);
+      }
+    });
+    open_.pop_back();
+  }
+
+ private:
+  const std::function<void(const Element&)>& root_;
+  const std::function<void(Node&, const fs::path&)>& each_;
+  std::vector<fs::path> open_;  ///< from the first file down to the one at hand
+};
+
 }  // namespace
 
 void read_nodes(const std::filesystem::path& file, const std::function<void(const Element&)>& root,
@@ -92,6 +121,16 @@ void read_nodes(const std::filesystem::path& file, const std::function<void(cons
 
 void read_nodes(const std::filesystem::path& file, const std::function<void(Node&)>& each) {
   read_nodes(
+      file, [](const Element&) {}, each);
+}
+
+void read_nodes_and_included(const fs::path& file, const std::function<void(const Element&)>& root,
+                             const std::function<void(Node&, const fs::path&)>& each) {
+  IncludingReader(root, each).read(file);
+}
+
+void read_nodes_and_included(const fs::path& file, const std::function<void(Node&, const fs::path&)>& each) {
+  read_nodes_and_included(
       file, [](const Element&) {}, each);
 }
 

@@ -35,6 +35,13 @@ void read_nodes(const std::filesystem::path& file, const std::function<void(cons
                 const std::function<void(Node&)>& each);
 /// The same for a file whose root does not matter.
 void read_nodes(const std::filesystem::path& file, const std::function<void(Node&)>& each);
+/// The same, and in the place of an `<include href="..."/>` the elements of that file, whose path is relative
+/// to the one that names it; `each` gets the file that the element stands in. InputError: it includes itself.
+void read_nodes_and_included(const std::filesystem::path& file,
+                             const std::function<void(const Element&)>& root,
+                             const std::function<void(Node&, const std::filesystem::path&)>& each);
+void read_nodes_and_included(const std::filesystem::path& file,
+                             const std::function<void(Node&, const std::filesystem::path&)>& each);
 
 void write_node(Writer& writer, const Node& node);
 

@@ -269,6 +269,25 @@ TEST(XmlNode, AFileComesBackAsItWas) {
   EXPECT_EQ(places, (std::vector<std::string>{from.string() + ":2", from.string() + ":5"}));
 }
 
+//   a.xml: 1, part/b.xml, 4        part/b.xml: 2, c.xml        part/c.xml: 3
+TEST(XmlNode, IncludedFilesAreReadInTheirPlace) {
+  TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "part");
+  const auto a = folder.write("a.xml", R"(<a><x id="1"/><include href="part/b.xml"/><x id="4"/></a>)");
+  folder.write("part/b.xml", R"(<a><x id="2"/><include href="c.xml"/></a>)");
+  folder.write("part/c.xml", R"(<a><x id="3"/></a>)");
+  std::string seen;
+  const auto read = [&] {
+    xml::read_nodes_and_included(a, [&](const xml::Node& node, const std::filesystem::path& file) {
+      seen += node.require("id") + file.filename().string() + " ";
+    });
+  };
+  read();
+  EXPECT_EQ(seen, "1a.xml 2b.xml 3c.xml 4a.xml ");
+  folder.write("part/c.xml", R"(<a><include href="../part/b.xml"/></a>)");
+  EXPECT_TRUE(contains(input_error(read), "b.xml includes itself"));
+}
+
 TEST(XmlNode, AttributesCanBeChanged) {
   xml::Node node{.name = "trip", .attributes = {{"id", "t"}, {"from", "a"}}, .children = {}, .place = "f:3"};
   node.set("from", "b");
