@@ -130,6 +130,20 @@ class RouteDemand(support.TestCase):
         self.assertEqual([v.find("route").get("edges") for v in written.iter("vehicle") if v.get("id") == "own"],
                          ["A0B0 B0B1"])
 
+    def test_included_files(self):
+        """Types and zones of an included additional file, trips of an included route file."""
+        net, folder = make_grid(self.folder()), self.folder()
+        (folder / "sub").mkdir()
+        write(folder / "sub" / "inner.add.xml", """<additional><vType id="van" vClass="delivery"/>
+            <taz id="west" edges="A0A1"/><taz id="east" edges="E3E4"/></additional>""")
+        outer = write(folder / "outer.add.xml", '<additional><include href="sub/inner.add.xml"/></additional>')
+        write(folder / "sub" / "inner.rou.xml",
+              '<routes><trip id="t" type="van" depart="0" fromTaz="west" toTaz="east"/></routes>')
+        demand = write(folder / "d.rou.xml", '<routes><include href="sub/inner.rou.xml"/></routes>')
+        self.succeeds("route", "-n", net, "-a", outer, "-r", demand, "-o", folder / "o.xml")
+        route = read_xml(folder / "o.xml").find("vehicle").find("route").get("edges").split()
+        self.assertEqual((route[0], route[-1]), ("A0A1", "E3E4"))
+
     def test_what_is_not_routed_is_named(self):
         net, folder = make_grid(self.folder()), self.folder()
         for bad, words in (('<person id="p" depart="0"><personTrip from="A0B0" to="B0C0"/></person>', "duarouter"),
