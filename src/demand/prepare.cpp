@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "core/number.hpp"
+#include "core/time.hpp"
 #include "demand/additional.hpp"
 #include "demand/input_scan.hpp"
 #include "demand/vehicle_file.hpp"
@@ -153,10 +154,8 @@ void note_unrouted(const InputScan& scan, const std::string& log, bool is_thinne
     if (present.contains(id)) continue;
     const auto reason = reasons.find(id);
     if (is_thinned && reason == reasons.end()) continue;
-    demand.dropped.push_back({.id = id,
-                              .reason = reason == reasons.end()
-                                            ? "departs before the begin, or duarouter left it out"
-                                            : reason->second});
+    demand.dropped.push_back(
+        {.id = id, .reason = reason == reasons.end() ? "duarouter left it out" : reason->second});
     reasons.erase(id);
   }
   std::vector<DroppedVehicle> of_flows;
@@ -253,6 +252,7 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   const fs::path scratch = files.folder / "additional";
   Settings routing = for_duarouter(settings, scratch);
   InputScan scan;
+  scan.begin = parse_time(routing.find("begin").value_or("0")).value_or(0);
   TypeClasses other_types;  // of additional files
   std::string inputs;
   int number = 0;
@@ -267,6 +267,9 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   scan_all("additional-files", true);
   scan_all("route-files", false);
   verify(!scan.seen.empty(), "the configuration has no demand: no vehicle, trip or flow in its files");
+  verify(!scan.ids.empty() || !scan.flows.empty() || !scan.dropped.empty(),
+         fmt::format("nothing is left of the demand: all departs before the begin ({} s)",
+                     format_seconds(scan.begin)));
 
   Demand demand;
   const fs::path routed = files.folder / "routed.xml";

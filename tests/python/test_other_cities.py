@@ -32,6 +32,22 @@ class OtherCities(support.RunCase):
         run = self.run_city("-c", file)
         self.assertEqual(run.trips["t"].get("vType"), "van")
 
+    def test_who_departs_before_the_begin(self):
+        """As in SUMO he is not in the simulation: nobody is missed. (From a flow by probability that begins before
+        the begin, SUMO's duarouter does not return.)"""
+        demand = ['<flow id="p" begin="0" end="200" probability="0.2" from="A0A1" to="C4C3"/>',
+                  '<flow id="over" begin="0" end="90" probability="0.2" from="A0A1" to="C4C3"/>',
+                  '<flow id="r" begin="0" end="200" period="10" from="A0A1" to="C4C3"/>',
+                  '<trip id="early" depart="1" from="A0A1" to="C4C3"/>', '<trip id="due" depart="150" from="A0A1" to="C4C3"/>']
+        run = self.run_city("-c", self.city(demand, '<begin value="100"/>'), "--strict", timeout=60)
+        by_flow = {name: sum(trip.split(".")[0] == name for trip in run.trips) for name in ("r", "over", "early", "due")}
+        self.assertEqual(by_flow, {"r": 10, "over": 0, "early": 0, "due": 1})
+        self.assertGreater(len(run.trips), 15)
+        self.assertEqual(run.summary["vehicles"], len(run.trips))
+        result = support.thalweg("run", "-c", self.city(demand, '<begin value="1000"/>'), "-o", self.place / "none")
+        self.assertEqual(result.exit, 1)
+        self.assertIn("all departs before the begin (1000.00 s)", result.err)
+
 
 if __name__ == "__main__":
     support.main()
