@@ -9,6 +9,7 @@
 #include "core/number.hpp"
 #include "core/time.hpp"
 #include "demand/additional.hpp"
+#include "demand/duarouter_log.hpp"
 #include "demand/input_scan.hpp"
 #include "demand/vehicle_file.hpp"
 #include "sumo/options.hpp"
@@ -75,23 +76,6 @@ class Duarouter {
   std::vector<std::string> common_;
 };
 
-/// The first message that names a vehicle, by its id: "Warning: ... vehicle 'x' ..." or "Vehicle 'x' ...".
-std::unordered_map<std::string, std::string> reasons_of(const std::string& log) {
-  std::unordered_map<std::string, std::string> reasons;
-  for (const auto line : split(log, "\n\r")) {
-    constexpr std::string_view mark = "ehicle '";
-    const auto at = line.find(mark);
-    if (at == std::string_view::npos) continue;
-    const auto id = line.substr(at + mark.size());
-    const auto end = id.find('\'');
-    if (end == std::string_view::npos) continue;
-    constexpr std::string_view warning = "Warning: ";
-    reasons.try_emplace(std::string(id.substr(0, end)),
-                        line.starts_with(warning) ? line.substr(warning.size()) : line);
-  }
-  return reasons;
-}
-
 /// The way points of a vehicle: its own, or those of the flow it came from ("flow.3").
 std::string via_of(const std::string& id, const InputScan& scan) {
   auto found = scan.via.find(id);
@@ -144,6 +128,18 @@ void write_given(const fs::path& routed, const fs::path& types_file, const TypeC
   writer.commit();
 }
 
+/// The flows without a single vehicle that duarouter has said something of; the others have none to come.
+void note_lost_flows(const InputScan& scan, const std::unordered_set<std::string>& present,
+                     const std::unordered_map<std::string, std::string>& reasons, Demand& demand) {
+  std::unordered_set<std::string> alive;
+  for (const auto& id : present) alive.insert(id.substr(0, id.rfind('.')));
+  for (const auto& id : scan.flows) {
+    const auto reason = reasons.find(id);
+    if (reason == reasons.end() || alive.contains(id)) continue;
+    demand.dropped.push_back({.id = id, .reason = "the whole flow: " + reason->second});
+  }
+}
+
 /// Adds those who were in the input and are not in the output; in a thinned demand only those with a reason.
 void note_unrouted(const InputScan& scan, const std::string& log, bool is_thinned, Demand& demand) {
   std::unordered_set<std::string> present;
@@ -158,6 +154,7 @@ void note_unrouted(const InputScan& scan, const std::string& log, bool is_thinne
         {.id = id, .reason = reason == reasons.end() ? "duarouter left it out" : reason->second});
     reasons.erase(id);
   }
+  note_lost_flows(scan, present, reasons, demand);
   std::vector<DroppedVehicle> of_flows;
   for (const auto& [id, reason] : reasons) {
     if (!present.contains(id) && !scan.seen.contains(id)) of_flows.push_back({.id = id, .reason = reason});

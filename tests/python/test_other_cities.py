@@ -48,6 +48,19 @@ class OtherCities(support.RunCase):
         self.assertEqual(result.exit, 1)
         self.assertIn("all departs before the begin (1000.00 s)", result.err)
 
+    def test_a_flow_that_duarouter_drops_is_counted(self):
+        """Junctions are no zones unless the configuration says so; duarouter leaves the flow out as a whole."""
+        ends = 'fromJunction="A0" toJunction="E4"'
+        file = self.city(['<trip id="good" depart="0" from="A0A1" to="C4C3"/>', f'<trip id="lost" depart="1" {ends}/>',
+                          f'<flow id="flow" begin="1" end="9" number="3" {ends}/>'])
+        run = self.run_city("-c", file)
+        self.assertEqual((run.summary["vehicles"], run.summary["dropped"]), (3, 2))
+        dropped = {v.get("id"): v.get("reason") for v in read_xml(run.folder / "demand" / "dropped.xml")}
+        self.assertEqual(set(dropped), {"lost", "flow"})
+        self.assertTrue(dropped["flow"].startswith("the whole flow: "), dropped)
+        for reason in dropped.values():
+            self.assertRegex(reason, "junction 'A0' not known .* Set option '--junction-taz'")
+
 
 if __name__ == "__main__":
     support.main()
