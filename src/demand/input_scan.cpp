@@ -28,6 +28,33 @@ std::string unknown_road(const xml::Node& node, const Network& network) {
   return {};
 }
 
+/// The same for the routes that it names: duarouter leaves an unknown road out of a route and drives the
+/// rest.
+std::string unknown_road_of_routes(const xml::Node& node, const InputScan& scan) {
+  for (const auto* const names : {"route", "routes", "refId"}) {  // the last two: within a distribution
+    for (const auto route : split(node.value_or(names, ""), " \t\r\n")) {
+      const auto broken = scan.broken_routes.find(std::string(route));
+      if (broken != scan.broken_routes.end()) return broken->second;
+    }
+  }
+  for (const xml::Node& child : node.children) {
+    if (auto road = unknown_road_of_routes(child, scan); !road.empty()) return road;
+  }
+  return {};
+}
+
+/// A <route> or <routeDistribution> of its own. False: it is broken, and so is whoever drives it.
+bool note_route(const xml::Node& node, const Network& network, InputScan& scan) {
+  auto road = unknown_road(node, network);
+  if (road.empty()) road = unknown_road_of_routes(node, scan);
+  if (road.empty()) return true;
+  if (const std::string* id = node.find("id")) scan.broken_routes.emplace(*id, road);
+  for (const xml::Node& route : node.children) {
+    if (const std::string* id = route.find("id")) scan.broken_routes.emplace(*id, road);
+  }
+  return false;
+}
+
 /// A vehicle, trip or flow that is over before the simulation begins; a flow that goes on is cut there.
 /// SUMO's duarouter (1.28) never returns from a flow by probability that begins before.
 bool is_over(xml::Node& node, Millis begin) {
@@ -53,7 +80,9 @@ bool note(xml::Node& node, const Network& network, InputScan& scan) {
   if (!scan.seen.insert(id).second) throw node.error("there is a vehicle, trip or flow of this id already");
   if (is_over(node, scan.begin)) return false;
   const bool is_flow = node.name == "flow";
-  if (const auto road = unknown_road(node, network); !road.empty()) {
+  auto road = unknown_road(node, network);
+  if (road.empty()) road = unknown_road_of_routes(node, scan);
+  if (!road.empty()) {
     const auto reason = fmt::format("the edge '{}' is not in the net", road);
     const auto number = parse_integer<int>(node.value_or("number", ""));
     if (!is_flow || !number) {
@@ -88,6 +117,8 @@ bool scan_into(xml::Writer& writer, const std::filesystem::path& file, const Net
           if (scan_into(writer, included, network, is_additional, scan)) found = true;
           return;
         }
+        const bool is_route = node.name == "route" || node.name == "routeDistribution";
+        if (is_route && !note_route(node, network, scan)) return;
         const bool is_demand = is_demand_element(node.name);
         if (is_additional && !is_demand) return;  // duarouter reads the rest of the additional file itself
         found = found || is_demand;

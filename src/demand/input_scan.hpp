@@ -18,6 +18,7 @@ struct InputScan {
   std::unordered_map<std::string, std::string> via;  ///< by id of the vehicle, trip or flow
   std::vector<std::string> ids;                      ///< of vehicles and trips, in order; flows are not in it
   std::vector<std::string> flows;                    ///< their ids, in order
+  std::unordered_map<std::string, std::string> broken_routes;  ///< by id: the first road that the net has not
   std::vector<DroppedVehicle> dropped;   ///< name a road that the net has not: duarouter would cut them short
   bool has_given_routes = false;         ///< some vehicle brings its route along
   bool has_open_flows = false;           ///< some flow has neither an end nor a number

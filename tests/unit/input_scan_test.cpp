@@ -38,6 +38,24 @@ class Scan : public ::testing::Test {
   std::vector<xml::Node> copy;
 };
 
+TEST_F(Scan, WhoDrivesABrokenRouteIsDropped) {
+  EXPECT_EQ(left_of(R"(
+<route id="good" edges="AB BC"/><route id="bad" edges="AB nix"/>
+<routeDistribution id="mixed"><route id="inner" edges="AB"/><route id="other" edges="nought BC"/></routeDistribution>
+<routeDistribution id="named" routes="good bad" probabilities="1 1"/>
+<vehicle id="v" route="good" depart="0"/><vehicle id="w" route="bad" depart="0"/>
+<vehicle id="x" route="mixed" depart="0"/><vehicle id="y" route="inner" depart="0"/>
+<vehicle id="z" route="named" depart="0"/><flow id="f" route="bad" begin="0" end="9" number="2"/>)"),
+            "good v");
+  EXPECT_EQ(dropped(),
+            "w: the edge 'nix' is not in the net\n"
+            "x: the edge 'nought' is not in the net\n"
+            "y: the edge 'nought' is not in the net\n"
+            "z: the edge 'nix' is not in the net\n"
+            "f.0: the edge 'nix' is not in the net\n"
+            "f.1: the edge 'nix' is not in the net\n");
+}
+
 TEST_F(Scan, WhoIsOverBeforeTheBeginIsInNoSimulation) {
   scan.begin = 100'000;
   EXPECT_EQ(left_of(R"(
