@@ -61,9 +61,9 @@ void apply_command_line(const Options& options, Project& project) {
 
 /// What follows "--" goes to SUMO as it is, so it may not contradict what the run stands on.
 void check_for_sumo(const Options& options, const SumoOptions& catalogue) {
-  static constexpr std::array<std::string_view, 9> owned{
-      "configuration-file", "route-files",     "additional-files", "begin", "scale", "seed", "random",
-      "tripinfo-output",    "statistic-output"};
+  static constexpr std::array<std::string_view, 10> owned{
+      "configuration-file", "route-files",      "additional-files", "begin", "scale", "seed", "random",
+      "tripinfo-output",    "statistic-output", "load-state"};
   for (const auto& argument : options.for_sumo()) {
     const auto* option = catalogue.find_argument(argument);
     if (option == nullptr || std::find(owned.begin(), owned.end(), option->first) == owned.end()) continue;

@@ -34,7 +34,8 @@ std::vector<DemandedTrip> demanded(const Demand& demand, Millis begin, double sh
                      .depart = vehicle.depart.value_or(begin),
                      .fixed = vehicle.fixed,
                      .destination = vehicle.destination,
-                     .equipped = is_equipped(vehicle, share)});
+                     .equipped = is_equipped(vehicle, share),
+                     .is_past = vehicle.depart.value_or(begin) < begin});
   }
   return trips;
 }
@@ -126,10 +127,8 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
     simulation->close();
   }
   summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  read_trips(folder.tripinfo,
-             demanded(project.demand, parse_time(project.settings.find("begin").value_or("0")).value_or(0),
-                      control_with.share),
-             result.end, summary);
+  read_trips(folder.tripinfo, demanded(project.demand, result.begin, control_with.share), result.end,
+             summary);
   read_statistics(folder.statistics, summary);
   if (arm.ours) summary.reroutes = result.reroutes;
   summary.ignored = result.ignored;

@@ -228,6 +228,7 @@ Settings for_duarouter(const Settings& settings, const fs::path& scratch) {
   }
   Settings rest = settings;
   rest.set("additional-files", copies);
+  if (rest.find("load-state")) rest.erase("begin");  // who is on the road in the state departed before
   return rest;
 }
 

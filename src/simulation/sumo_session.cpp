@@ -46,6 +46,7 @@ class SumoSession : public Simulation {
     now_ = from_seconds(libsumo::Simulation::getTime());
     is_mesoscopic_ = is_mesoscopic<libsumo::Simulation>();
     on_loaded(loaded_at_start<libsumo::Vehicle>());
+    on_departed(libsumo::Vehicle::getIDList());  // of a state that was loaded
   }
   SumoSession(const SumoSession&) = delete;
   SumoSession& operator=(const SumoSession&) = delete;
@@ -69,13 +70,7 @@ class SumoSession : public Simulation {
       libsumo::Simulation::step();
       now_ = from_seconds(libsumo::Simulation::getTime());
       on_loaded(libsumo::Simulation::getLoadedIDList());
-      const auto departed = libsumo::Simulation::getDepartedIDList();
-      for (const auto& name : departed) {
-        const auto known = ids_.find(name);
-        places_.emplace(name, running_.size());
-        running_.push_back({.name = name, .id = known == ids_.end() ? VehicleId{} : known->second});
-      }
-      resolve(departed, events_.departed);
+      on_departed(libsumo::Simulation::getDepartedIDList());
       const auto arrived = libsumo::Simulation::getArrivedIDList();
       for (const auto& name : arrived) forget(name);
       resolve(arrived, events_.arrived);
@@ -180,6 +175,15 @@ class SumoSession : public Simulation {
       std::vector<std::string> roads;
       for (const RoadId road : vehicle.via) roads.push_back(network_.roads[road].id);
       libsumo::Vehicle::setVia(vehicle.id, roads);
+    }
+  }
+
+  void on_departed(const std::vector<std::string>& names) {
+    resolve(names, events_.departed);
+    for (const auto& name : names) {
+      const auto known = ids_.find(name);
+      places_.emplace(name, running_.size());
+      running_.push_back({.name = name, .id = known == ids_.end() ? VehicleId{} : known->second});
     }
   }
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What other people's configurations hold: it must mean here what it means to SUMO alone."""
 import support
-from support import make_grid, random_trips, read_xml, run_tool, write, write_routes
+from support import expand, make_grid, on_each, random_trips, read_xml, run_tool, write, write_routes
 
 
+@expand
 class OtherCities(support.RunCase):
     """
         A4 - B4 - C4 - D4 - E4      25 signalised junctions, 150 m apart
@@ -60,6 +61,29 @@ class OtherCities(support.RunCase):
         self.assertTrue(dropped["flow"].startswith("the whole flow: "), dropped)
         for reason in dropped.values():
             self.assertRegex(reason, "junction 'A0' not known .* Set option '--junction-taz'")
+
+    @on_each(("alone", "and_begin"))
+    def test_a_state_is_gone_on_with(self, how):
+        """Who is on the road in it is led as everybody is; who had arrived is not in this run."""
+        begin = '<begin value="100"/>' if how == "and_begin" else ""
+        file = self.city(random_trips(self.net, 200, 200), f'<load-state value="state.xml"/>{begin}')
+        run_tool("sumo", "-n", self.net, "-r", self.place / "trips.xml", "--end", 101, "--save-state.times", 100,
+                 "--save-state.files", self.place / "state.xml", "--tripinfo-output", self.place / "past.xml")
+        past = {trip.get("id") for trip in read_xml(self.place / "past.xml").iter("tripinfo")
+                if float(trip.get("arrival")) < 100}
+        self.assertGreater(len(past), 3)
+        result = self.run_city("-c", file)
+        parts = [result.summary[part] for part in ("vehicles", "finished", "not_loaded")]
+        self.assertEqual(parts, [200, 200 - len(past), len(past)])
+        self.assertEqual(set(result.trips) & past, set())
+        on_the_road = {f"t{i}" for i in range(100)} - past
+        self.assertGreater(len(on_the_road & {d.get("vehicle") for d in result.decisions()}), 60)
+        self.assertNotIn("Invalid route", (result.folder / "sumo.log").read_text())
+
+    def test_a_state_beside_the_configuration(self):
+        result = support.thalweg("run", "-c", self.city([]), "-o", self.place / "o", "--", "--load-state", "state.xml")
+        self.assertEqual(result.exit, 1)
+        self.assertIn("write it in the configuration", result.err)
 
 
 if __name__ == "__main__":
