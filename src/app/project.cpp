@@ -103,6 +103,19 @@ void make_output_folder(const fs::path& folder) {
   fs::remove(probe);
 }
 
+/// duarouter may take minutes, and Ctrl-C ends it as well: that is no fault of the demand.
+Demand prepare(const Options& options, const Project& project) {
+  Demand demand;
+  try {
+    demand = prepare_demand(project.settings, project.network, project.sumo, project.demand_files,
+                            options.header());
+  } catch (const InputError&) {
+    if (!stop_requested) throw;
+  }
+  verify(!stop_requested, "interrupted while the demand was prepared");
+  return demand;
+}
+
 }  // namespace
 
 std::vector<OptionSpec> project_options() {
@@ -152,8 +165,7 @@ Project load_project(Options& options, const std::function<void(const SumoOption
       DemandFiles(prepared ? fs::path(options.text("prepared")) : project.output / "demand");
   const Stage stage(prepared ? "Reading the prepared demand" : "Preparing the demand");
   project.demand = prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
-                            : prepare_demand(project.settings, project.network, project.sumo,
-                                             project.demand_files, options.header());
+                            : prepare(options, project);
   const auto& dropped = project.demand.dropped;
   if (!dropped.empty() && !prepared) {
     const std::string text = fmt::format(
