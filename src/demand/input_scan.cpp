@@ -60,7 +60,7 @@ bool note_route(const xml::Node& node, const Network& network, InputScan& scan) 
 bool is_over(xml::Node& node, Millis begin) {
   const bool is_flow = node.name == "flow";
   const auto start = parse_time(node.value_or(is_flow ? "begin" : "depart", ""));
-  if (!start || *start >= begin) return false;
+  if (!start || *start < 0 || *start >= begin) return false;  // duarouter has its words for less than 0
   const auto end = parse_time(node.value_or("end", ""));
   if (!is_flow || (end && *end <= begin)) return true;
   if (node.find("probability") != nullptr) node.set("begin", format_seconds(begin));

@@ -60,17 +60,17 @@ TEST_F(Scan, WhoIsOverBeforeTheBeginIsInNoSimulation) {
   scan.begin = 100'000;
   EXPECT_EQ(left_of(R"(
 <trip id="early" from="AB" to="BC" depart="99.9"/><trip id="due" from="AB" to="BC" depart="0:01:40"/>
-<trip id="triggered" from="AB" to="BC" depart="triggered"/>
+<trip id="triggered" from="AB" to="BC" depart="triggered"/><trip id="odd" from="AB" to="BC" depart="-5"/>
 <flow id="over" from="AB" to="BC" begin="0" end="100" probability="0.1"/>
 <flow id="on" from="AB" to="BC" begin="0" end="200" probability="0.1"/>
 <flow id="regular" from="AB" to="BC" begin="0" end="200" period="10"/>
 <trip id="lost" from="AB" to="nix" depart="1"/>)"),
-            "due triggered on regular");
+            "due triggered odd on regular");
   EXPECT_EQ(dropped(), "") << "nobody misses them, not even for an unknown road";
-  EXPECT_EQ(scan.ids, (std::vector<std::string>{"due", "triggered"}));
+  EXPECT_EQ(scan.ids, (std::vector<std::string>{"due", "triggered", "odd"}));
   EXPECT_EQ(scan.flows, (std::vector<std::string>{"on", "regular"}));
-  EXPECT_EQ(copy.at(2).value_or("begin", ""), "100.00") << "duarouter does not return from it otherwise";
-  EXPECT_EQ(copy.at(3).value_or("begin", ""), "0") << "its vehicles depart by its own clock";
+  EXPECT_EQ(copy.at(3).value_or("begin", ""), "100.00") << "duarouter does not return from it otherwise";
+  EXPECT_EQ(copy.at(4).value_or("begin", ""), "0") << "its vehicles depart by its own clock";
 }
 
 TEST_F(Scan, TypesOfIncludedFilesAreFound) {
