@@ -47,6 +47,19 @@ class RouteDemand(support.TestCase):
         </routes>""")
         self.assert_same(*self.both(net, demand), 15)
 
+    def test_every_class_at_its_own_speed(self):
+        """One road on which nobody is too fast, 20 km; the default speed of each class is SUMO's."""
+        folder = self.folder()
+        write(folder / "n.nod.xml", '<nodes><node id="a" x="0" y="0"/><node id="b" x="20000" y="0"/></nodes>')
+        write(folder / "e.edg.xml", '<edges><edge id="ab" from="a" to="b" speed="120"/></edges>')
+        net = folder / "road.net.xml"
+        run_tool("netconvert", "-n", folder / "n.nod.xml", "-e", folder / "e.edg.xml", "-o", net)
+        classes = sorted(support.sumolib.net.lane.SUMO_VEHICLE_CLASSES)
+        demand = write(folder / "d.rou.xml", "<routes>" + "".join(
+            f'<vType id="T{name}" vClass="{name}" speedFactor="1"/><trip id="{name}" type="T{name}" depart="0" '
+            'from="ab" to="ab"/>' for name in classes) + "</routes>")
+        self.assert_same(*self.both(net, demand), 25)
+
     def test_zones(self):
         """From and to zones: the best pair of their roads, whatever the weights; a road that is named wins."""
         net, folder = make_grid(self.folder()), self.folder()
