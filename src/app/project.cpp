@@ -103,12 +103,12 @@ void make_output_folder(const fs::path& folder) {
   fs::remove(probe);
 }
 
-/// duarouter may take minutes, and Ctrl-C ends it as well: that is no fault of the demand.
+/// duarouter may take minutes; that it was told to end is no fault of the demand.
 Demand prepare(const Options& options, const Project& project) {
   Demand demand;
   try {
     demand = prepare_demand(project.settings, project.network, project.sumo, project.demand_files,
-                            options.header());
+                            options.header(), stop_requested);
   } catch (const InputError&) {
     if (!stop_requested) throw;
   }

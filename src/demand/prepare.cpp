@@ -23,8 +23,9 @@ namespace fs = std::filesystem;
 /// duarouter with what all its calls share.
 class Duarouter {
  public:
-  Duarouter(const Settings& settings, const SumoInstallation& sumo, const fs::path& folder)
-      : program_(sumo.duarouter), folder_(folder) {
+  Duarouter(const Settings& settings, const SumoInstallation& sumo, const fs::path& folder,
+            const std::atomic<bool>& stop)
+      : program_(sumo.duarouter), folder_(folder), stop_(stop) {
     require_tool(program_, "duarouter");
     const SumoOptions options = SumoOptions::ask(program_);
     common_ = {"--net-file",
@@ -55,7 +56,7 @@ class Duarouter {
     more.insert(more.begin(), {"--route-files", inputs, "--output-file", output.string()});
     more.insert(more.end(), common_.begin(), common_.end());
     const fs::path log = folder_ / "duarouter.log";
-    const int exit = run_program(program_, more, log);
+    const int exit = run_program(program_, more, log, stop_);
     std::string words = read_text(log);
     if (exit != 0) {
       throw InputError(fmt::format("duarouter could not route the demand (exit {}; {}):\n{}", exit,
@@ -73,6 +74,7 @@ class Duarouter {
 
   fs::path program_;
   fs::path folder_;
+  const std::atomic<bool>& stop_;
   std::vector<std::string> common_;
 };
 
@@ -245,7 +247,7 @@ void write_dropped(const DemandFiles& files, std::string_view header,
 }  // namespace
 
 Demand prepare_demand(const Settings& settings, const Network& network, const SumoInstallation& sumo,
-                      const DemandFiles& files, std::string_view header) {
+                      const DemandFiles& files, std::string_view header, const std::atomic<bool>& stop) {
   fs::create_directories(files.folder);
   const fs::path scratch = files.folder / "additional";
   Settings routing = for_duarouter(settings, scratch);
@@ -275,14 +277,14 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   std::vector<std::string> more{"--vtype-output", types.string()};
   if (const auto end = settings.find("end"); end && scan.has_open_flows)
     more.insert(more.end(), {"--end", *end});
-  const std::string log = Duarouter(routing, sumo, files.folder).route(inputs, routed, more);
+  const std::string log = Duarouter(routing, sumo, files.folder, stop).route(inputs, routed, more);
   demand.dropped = scan.dropped;
   write_given(routed, types, other_types, scan, network, files, header, demand);
   const auto scale = parse_number(settings.find("scale").value_or("1"));
   note_unrouted(scan, log, scale && *scale < 1, demand);
   if (scan.has_given_routes) {
     routing.erase("scale");  // done already
-    write_free_flow(Duarouter(routing, sumo, files.folder), files, header, demand);
+    write_free_flow(Duarouter(routing, sumo, files.folder, stop), files, header, demand);
   } else {
     fs::copy_file(files.given(), files.free_flow(), fs::copy_options::overwrite_existing);
   }
