@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "demand/input_scan.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "demand/vehicle_file.hpp"
@@ -28,7 +29,7 @@ class Scan : public ::testing::Test {
   }
   [[nodiscard]] std::string dropped() const {
     std::string text;
-    for (const auto& [id, reason] : scan.dropped) text += id + ": " + reason + "\n";
+    for (const auto& [id, reason] : scan.dropped) text += fmt::format("{}: {}\n", id, reason);
     return text;
   }
 
