@@ -166,6 +166,12 @@ Project load_project(Options& options, const std::function<void(const SumoOption
   const Stage stage(prepared ? "Reading the prepared demand" : "Preparing the demand");
   project.demand = prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
                             : prepare(options, project);
+  const auto& lost = project.demand.lost_persons;
+  if (!lost.empty() && !prepared) {
+    warn(fmt::format("{} person(s) or container(s) cannot be routed and are left out: '{}' ({}){}; see {}",
+                     lost.size(), lost.front().id, lost.front().reason, lost.size() > 1 ? " .." : "",
+                     project.demand_files.dropped().string()));
+  }
   const auto& dropped = project.demand.dropped;
   if (!dropped.empty() && !prepared) {
     const std::string text = fmt::format(

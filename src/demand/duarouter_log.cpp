@@ -4,15 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 
 #include "core/number.hpp"
 
 namespace thalweg {
 namespace {
 
-/// "Warning: ... vehicle 'x' ..." or "Vehicle 'x' ..." or "... for trip 'x'!".
-std::optional<std::string> named_in(std::string_view line) {
-  static constexpr std::array<std::string_view, 3> marks{"ehicle '", "trip '", "flow '"};
+using Marks = std::span<const std::string_view>;
+
+/// The id after one of the marks: "Warning: ... vehicle 'x' ..." or "Vehicle 'x' ..." or "... for trip 'x'!".
+std::optional<std::string> named_in(std::string_view line, Marks marks) {
   for (const auto mark : marks) {
     const auto at = line.find(mark);
     if (at == std::string_view::npos) continue;
@@ -28,13 +30,11 @@ bool goes_on(std::string_view line) {
   return std::none_of(others.begin(), others.end(), [&](auto start) { return line.starts_with(start); });
 }
 
-}  // namespace
-
-std::unordered_map<std::string, std::string> reasons_of(std::string_view log) {
+std::unordered_map<std::string, std::string> reasons_of(std::string_view log, Marks marks) {
   std::unordered_map<std::string, std::string> reasons;
   std::string* open = nullptr;
   for (const auto line : split(log, "\n\r")) {
-    const auto id = named_in(line);
+    const auto id = named_in(line, marks);
     if (!id) {
       if (open != nullptr && goes_on(line)) {
         open->append(" ").append(trimmed(line));
@@ -49,6 +49,18 @@ std::unordered_map<std::string, std::string> reasons_of(std::string_view log) {
     open = is_first ? &entry->second : nullptr;
   }
   return reasons;
+}
+
+}  // namespace
+
+std::unordered_map<std::string, std::string> reasons_of(std::string_view log) {
+  static constexpr std::array<std::string_view, 3> marks{"ehicle '", "trip '", "flow '"};
+  return reasons_of(log, marks);
+}
+
+std::unordered_map<std::string, std::string> reasons_of_persons(std::string_view log) {
+  static constexpr std::array<std::string_view, 2> marks{"person '", "container '"};
+  return reasons_of(log, marks);
 }
 
 }  // namespace thalweg

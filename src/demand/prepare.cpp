@@ -29,10 +29,11 @@ std::string via_of(const std::string& id, const InputScan& scan) {
 }
 
 /// The arms' file of vehicles: types in front (without those of additional files, which SUMO reads itself),
-/// what duarouter dropped on the way noted in `demand`.
-void write_given(const fs::path& routed, const fs::path& types_file, const TypeClasses& other_types,
-                 const InputScan& scan, const Network& network, const DemandFiles& files,
-                 std::string_view header, Demand& demand) {
+/// what duarouter dropped on the way noted in `demand`. Returns the persons and containers among them.
+std::unordered_set<std::string> write_given(const fs::path& routed, const fs::path& types_file,
+                                            const TypeClasses& other_types, const InputScan& scan,
+                                            const Network& network, const DemandFiles& files,
+                                            std::string_view header, Demand& demand) {
   TypeClasses types = other_types;
   types.merge(default_types());
   read_types(types_file, types);
@@ -45,10 +46,13 @@ void write_given(const fs::path& routed, const fs::path& types_file, const TypeC
         strip_parameters(node);
         write_node(writer, node);
       });
+  std::unordered_set<std::string> persons;
   xml::read_nodes(
       routed, [](const xml::Element&) {},
       [&](xml::Node& node) {
         strip_parameters(node);
+        if (node.name.starts_with("person") || node.name.starts_with("container"))
+          persons.insert(node.require("id"));
         if (node.name != "vehicle") return write_node(writer, node);
         const std::string& id = node.require("id");
         const auto type = node.value_or("type", "DEFAULT_VEHTYPE");
@@ -69,6 +73,19 @@ void write_given(const fs::path& routed, const fs::path& types_file, const TypeC
         write_node(writer, node);
       });
   writer.commit();
+  return persons;
+}
+
+/// Those that duarouter has said something of, and that it has not written.
+void note_lost_persons(const std::string& log, const std::unordered_set<std::string>& written,
+                       Demand& demand) {
+  std::unordered_set<std::string> alive = written;
+  for (const auto& id : written) alive.insert(id.substr(0, id.rfind('.')));  // a flow's
+  for (const auto& [id, reason] : reasons_of_persons(log)) {
+    if (!alive.contains(id)) demand.lost_persons.push_back({.id = id, .reason = reason});
+  }
+  std::sort(demand.lost_persons.begin(), demand.lost_persons.end(),
+            [](const auto& a, const auto& b) { return a.id < b.id; });
 }
 
 /// The flows without a single vehicle that duarouter has said something of; the others have none to come.
@@ -175,12 +192,14 @@ Settings for_duarouter(const Settings& settings, const fs::path& scratch) {
   return rest;
 }
 
-void write_dropped(const DemandFiles& files, std::string_view header,
-                   const std::vector<DroppedVehicle>& dropped) {
+void write_dropped(const DemandFiles& files, std::string_view header, const Demand& demand) {
   xml::Writer writer(files.dropped(), fmt::format("vehicles left out of every arm, and why; {}", header));
   writer.open("dropped");
-  for (const auto& [id, reason] : dropped) {
+  for (const auto& [id, reason] : demand.dropped) {
     writer.open("vehicle").attribute("id", id).attribute("reason", reason).close();
+  }
+  for (const auto& [id, reason] : demand.lost_persons) {
+    writer.open("person").attribute("id", id).attribute("reason", reason).close();
   }
   writer.commit();
 }
@@ -220,7 +239,8 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
     more.insert(more.end(), {"--end", *end});
   const std::string log = Duarouter(routing, sumo, files.folder, stop).route(inputs, routed, more);
   demand.dropped = scan.dropped;
-  write_given(routed, types, other_types, scan, network, files, header, demand);
+  const auto persons = write_given(routed, types, other_types, scan, network, files, header, demand);
+  note_lost_persons(log, persons, demand);
   const auto scale = parse_number(settings.find("scale").value_or("1"));
   note_unrouted(scan, log, scale && *scale < 1, demand);
   if (scan.has_given_routes) {
@@ -230,7 +250,7 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
     fs::copy_file(files.given(), files.free_flow(), fs::copy_options::overwrite_existing);
   }
   fs::remove_all(scratch);
-  write_dropped(files, header, demand.dropped);
+  write_dropped(files, header, demand);
   verify(!demand.vehicles.empty(),
          fmt::format("nothing is left of the demand: no vehicle can be routed; {} tells why",
                      files.dropped().string()));
@@ -248,8 +268,8 @@ Demand read_prepared_demand(const Settings& settings, const Network& network, co
   xml::read_nodes(
       files.dropped(), [](const xml::Element&) {},
       [&](const xml::Node& node) {
-        demand.dropped.push_back(
-            {.id = node.require("id"), .reason = std::string(node.value_or("reason", ""))});
+        auto& list = node.name == "person" ? demand.lost_persons : demand.dropped;
+        list.push_back({.id = node.require("id"), .reason = std::string(node.value_or("reason", ""))});
       });
   return demand;
 }

@@ -62,6 +62,22 @@ class OtherCities(support.RunCase):
         for reason in dropped.values():
             self.assertRegex(reason, "junction 'A0' not known .* Set option '--junction-taz'")
 
+    def test_persons_that_cannot_be_routed_are_named(self):
+        """They are no vehicles, so the table does not count them; who stays in is not named."""
+        file = self.city(['<trip id="u" depart="0" from="A0A1" to="C4C3"/>',
+                          '<person id="good" depart="1"><walk from="A0A1" to="C4C3"/></person>',
+                          '<person id="u" depart="1"><walk from="A0A1" to="Atlantis"/></person>',
+                          '<personFlow id="pf" begin="2" end="9" number="2"><walk from="A0A1" to="Atlantis"/></personFlow>',
+                          '<personFlow id="on" begin="3" end="9" number="2"><walk from="A0A1" to="C4C3"/></personFlow>'],
+                         '<end value="300"/>')
+        result = self.succeeds("run", "-c", file, "-o", self.place / "run")
+        self.assertRegex(result.err, r"2 person\(s\) or container\(s\) cannot be routed .*'pf' \(The edge 'Atlantis'")
+        run = support.Run(self.place / "run")
+        self.assertEqual((run.summary["vehicles"], run.summary["dropped"]), (1, 0))
+        self.assertEqual([(e.tag, e.get("id")) for e in read_xml(run.folder / "demand" / "dropped.xml")],
+                         [("person", "pf"), ("person", "u")])
+        self.succeeds("compare", "-c", file, "-o", self.place / "compare", "--arms", "static", "--seeds", 1)
+
     @on_each(("alone", "and_begin"))
     def test_a_state_is_gone_on_with(self, how):
         """Who is on the road in it is led as everybody is; who had arrived is not in this run."""

@@ -25,6 +25,17 @@ TEST(DuarouterLog, TheFirstMessageCountsWithAllItsLines) {
   EXPECT_EQ(reasons.at("y"), "Mandatory edge 'd' not reachable by vehicle 'y'.");
 }
 
+TEST(DuarouterLog, PersonsAreNamedApart) {
+  const std::string_view log =
+      "Warning: The edge 'nix' within the route for person 'u' is not known.\n"
+      "Warning: Discarding person 'u' because her plan is empty\n"
+      "Warning: No route for trip in person 'f.0'.\n";
+  const auto reasons = reasons_of_persons(log);
+  ASSERT_EQ(reasons.size(), 2U);
+  EXPECT_EQ(reasons.at("u"), "The edge 'nix' within the route for person 'u' is not known.");
+  EXPECT_TRUE(reasons_of(log).empty());
+}
+
 TEST(DuarouterLog, NothingIsSaidOfNobody) {
   EXPECT_TRUE(reasons_of("").empty());
   EXPECT_TRUE(reasons_of("Success.\nvehicle 'unfinished\n").empty());
