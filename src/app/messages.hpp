@@ -51,8 +51,8 @@ class ProgressLine {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// Set by Ctrl-C (SIGINT) and SIGTERM once `catch_interrupts` was called. The signal goes on to the children
-/// that are registered meanwhile.
+/// Set by Ctrl-C (SIGINT), SIGTERM and the end of the terminal (SIGHUP) once `catch_interrupts` was called.
+/// The signal goes on to the children that are registered meanwhile.
 extern std::atomic<bool> stop_requested;
 void catch_interrupts();
 void register_child(int pid);

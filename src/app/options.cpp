@@ -109,8 +109,11 @@ void Options::parse(std::span<const std::string> arguments) {
             .run();
     for (const auto& option : parsed.options) {
       if (option.position_key >= 0) {
-        throw InputError(fmt::format("'{}' belongs to no option; 'thalweg {} --help' lists them",
-                                     option.value.front(), command_));
+        const std::string& word = option.value.front();
+        const bool is_configuration = word.ends_with("cfg") && find("configuration-file") != nullptr;
+        throw InputError(fmt::format("'{}' belongs to no option{}; 'thalweg {} --help' lists them", word,
+                                     is_configuration ? fmt::format(" (did you mean '-c {}'?)", word) : "",
+                                     command_));
       }
       set(*find(option.string_key), option.value.empty() ? "true" : option.value.front(), true);
     }

@@ -61,9 +61,9 @@ void apply_command_line(const Options& options, Project& project) {
 
 /// What follows "--" goes to SUMO as it is, so it may not contradict what the run stands on.
 void check_for_sumo(const Options& options, const SumoOptions& catalogue) {
-  static constexpr std::array<std::string_view, 9> owned{
-      "configuration-file", "route-files",     "additional-files", "begin", "scale", "seed", "random",
-      "tripinfo-output",    "statistic-output"};
+  static constexpr std::array<std::string_view, 10> owned{
+      "configuration-file", "route-files",      "additional-files", "begin", "scale", "seed", "random",
+      "tripinfo-output",    "statistic-output", "load-state"};
   for (const auto& argument : options.for_sumo()) {
     const auto* option = catalogue.find_argument(argument);
     if (option == nullptr || std::find(owned.begin(), owned.end(), option->first) == owned.end()) continue;
@@ -101,6 +101,19 @@ void make_output_folder(const fs::path& folder) {
   if (error)
     throw InputError(fmt::format("cannot write to the folder '{}': {}", folder.string(), error.message()));
   fs::remove(probe);
+}
+
+/// duarouter may take minutes; that it was told to end is no fault of the demand.
+Demand prepare(const Options& options, const Project& project) {
+  Demand demand;
+  try {
+    demand = prepare_demand(project.settings, project.network, project.sumo, project.demand_files,
+                            options.header(), stop_requested);
+  } catch (const InputError&) {
+    if (!stop_requested) throw;
+  }
+  verify(!stop_requested, "interrupted while the demand was prepared");
+  return demand;
 }
 
 }  // namespace
@@ -152,8 +165,13 @@ Project load_project(Options& options, const std::function<void(const SumoOption
       DemandFiles(prepared ? fs::path(options.text("prepared")) : project.output / "demand");
   const Stage stage(prepared ? "Reading the prepared demand" : "Preparing the demand");
   project.demand = prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
-                            : prepare_demand(project.settings, project.network, project.sumo,
-                                             project.demand_files, options.header());
+                            : prepare(options, project);
+  const auto& lost = project.demand.lost_persons;
+  if (!lost.empty() && !prepared) {
+    warn(fmt::format("{} person(s) or container(s) cannot be routed and are left out: '{}' ({}){}; see {}",
+                     lost.size(), lost.front().id, lost.front().reason, lost.size() > 1 ? " .." : "",
+                     project.demand_files.dropped().string()));
+  }
   const auto& dropped = project.demand.dropped;
   if (!dropped.empty() && !prepared) {
     const std::string text = fmt::format(

@@ -90,15 +90,18 @@ class DemandRoute {
         ignore_errors_(options.flag("ignore-errors")),
         seed_(options.count("seed")) {}
 
-  void read_types(const std::string& file) {
+  void read_types(const std::filesystem::path& file) {
     xml::read_nodes(file, [&](const xml::Node& node) {
+      if (node.name == "include") read_types(file.parent_path() / node.require("href"));
       if (is_type(node)) types_.add(node);
     });
   }
 
-  void read(const std::string& file) {
+  void read(const std::filesystem::path& file) {
     xml::read_nodes(file, [&](xml::Node& node) {
-      if (is_type(node) || node.name == "route" || node.name == "routeDistribution") {
+      if (node.name == "include") {
+        read(file.parent_path() / node.require("href"));
+      } else if (is_type(node) || node.name == "route" || node.name == "routeDistribution") {
         if (is_type(node)) types_.add(node);
         definitions_.push_back(std::move(node));
       } else if (node.name == "flow") {

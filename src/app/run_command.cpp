@@ -34,7 +34,8 @@ std::vector<DemandedTrip> demanded(const Demand& demand, Millis begin, double sh
                      .depart = vehicle.depart.value_or(begin),
                      .fixed = vehicle.fixed,
                      .destination = vehicle.destination,
-                     .equipped = is_equipped(vehicle, share)});
+                     .equipped = is_equipped(vehicle, share),
+                     .is_past = vehicle.depart.value_or(begin) < begin});
   }
   return trips;
 }
@@ -53,13 +54,15 @@ std::optional<std::filesystem::path> users_routes(const Options& options, const 
   return file;
 }
 
-/// What only we asked for is not kept.
+/// What only we asked for is not kept. A run that was interrupted before its first step has nothing to
+/// measure.
 void measure_gap(const Options& options, const Project& project, const RunFolder& folder,
-                 RunSummary& summary) {
+                 const RunResult& result, RunSummary& summary) {
   const auto users = users_routes(options, project.catalogue);
   const std::filesystem::path routes = users.value_or(folder.routes);
   const bool is_xml = routes.string().ends_with(".xml") || routes.string().ends_with(".xml.gz");
-  if (is_xml) summary.gap = relative_gap(routes, folder.edge_data, project.network, project.demand);
+  if (is_xml && result.end > result.begin)
+    summary.gap = relative_gap(routes, folder.edge_data, project.network, project.demand);
   if (!users && !project.settings.find("vehroute-output")) std::filesystem::remove(folder.routes);
 }
 
@@ -126,15 +129,13 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
     simulation->close();
   }
   summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  read_trips(folder.tripinfo,
-             demanded(project.demand, parse_time(project.settings.find("begin").value_or("0")).value_or(0),
-                      control_with.share),
-             result.end, summary);
+  read_trips(folder.tripinfo, demanded(project.demand, result.begin, control_with.share), result.end,
+             summary);
   read_statistics(folder.statistics, summary);
   if (arm.ours) summary.reroutes = result.reroutes;
   summary.ignored = result.ignored;
   summary.forecast_error = result.forecast_error;
-  measure_gap(options, project, folder, summary);
+  measure_gap(options, project, folder, result, summary);
   summary.router_cpu_s = arm.ours ? result.router_cpu_s : 0;
   summary.simulation_cpu_s = result.simulation_cpu_s;
   if (decisions) decisions->write(project.network, project.demand, result);

@@ -30,6 +30,7 @@ struct DroppedVehicle {
 struct Demand {
   IdVector<VehicleId, DemandVehicle> vehicles;
   std::vector<DroppedVehicle> dropped;
+  std::vector<DroppedVehicle> lost_persons{};  ///< and containers, that duarouter left out: no vehicles
 };
 
 }  // namespace thalweg

@@ -28,6 +28,45 @@ std::string unknown_road(const xml::Node& node, const Network& network) {
   return {};
 }
 
+/// The same for the routes that it names: duarouter leaves an unknown road out of a route and drives the
+/// rest.
+std::string unknown_road_of_routes(const xml::Node& node, const InputScan& scan) {
+  for (const auto* const names : {"route", "routes", "refId"}) {  // the last two: within a distribution
+    for (const auto route : split(node.value_or(names, ""), " \t\r\n")) {
+      const auto broken = scan.broken_routes.find(std::string(route));
+      if (broken != scan.broken_routes.end()) return broken->second;
+    }
+  }
+  for (const xml::Node& child : node.children) {
+    if (auto road = unknown_road_of_routes(child, scan); !road.empty()) return road;
+  }
+  return {};
+}
+
+/// A <route> or <routeDistribution> of its own. False: it is broken, and so is whoever drives it.
+bool note_route(const xml::Node& node, const Network& network, InputScan& scan) {
+  auto road = unknown_road(node, network);
+  if (road.empty()) road = unknown_road_of_routes(node, scan);
+  if (road.empty()) return true;
+  if (const std::string* id = node.find("id")) scan.broken_routes.emplace(*id, road);
+  for (const xml::Node& route : node.children) {
+    if (const std::string* id = route.find("id")) scan.broken_routes.emplace(*id, road);
+  }
+  return false;
+}
+
+/// A vehicle, trip or flow that is over before the simulation begins; a flow that goes on is cut there.
+/// SUMO's duarouter (1.28) never returns from a flow by probability that begins before.
+bool is_over(xml::Node& node, Millis begin) {
+  const bool is_flow = node.name == "flow";
+  const auto start = parse_time(node.value_or(is_flow ? "begin" : "depart", ""));
+  if (!start || *start < 0 || *start >= begin) return false;  // duarouter has its words for less than 0
+  const auto end = parse_time(node.value_or("end", ""));
+  if (!is_flow || (end && *end <= begin)) return true;
+  if (node.find("probability") != nullptr) node.set("begin", format_seconds(begin));
+  return false;
+}
+
 bool has_route(const xml::Node& node) {
   return node.find("route") != nullptr ||
          std::any_of(node.children.begin(), node.children.end(), [](const xml::Node& child) {
@@ -36,11 +75,14 @@ bool has_route(const xml::Node& node) {
 }
 
 /// False: the vehicle, trip or flow is to be left out.
-bool note(const xml::Node& node, const Network& network, InputScan& scan) {
+bool note(xml::Node& node, const Network& network, InputScan& scan) {
   const std::string& id = node.require("id");
   if (!scan.seen.insert(id).second) throw node.error("there is a vehicle, trip or flow of this id already");
+  if (is_over(node, scan.begin)) return false;
   const bool is_flow = node.name == "flow";
-  if (const auto road = unknown_road(node, network); !road.empty()) {
+  auto road = unknown_road(node, network);
+  if (road.empty()) road = unknown_road_of_routes(node, scan);
+  if (!road.empty()) {
     const auto reason = fmt::format("the edge '{}' is not in the net", road);
     const auto number = parse_integer<int>(node.value_or("number", ""));
     if (!is_flow || !number) {
@@ -52,7 +94,7 @@ bool note(const xml::Node& node, const Network& network, InputScan& scan) {
     return false;
   }
   if (const std::string* via = node.find("via")) scan.via.emplace(id, *via);
-  if (!is_flow) scan.ids.push_back(id);
+  (is_flow ? scan.flows : scan.ids).push_back(id);
   if (is_flow && node.find("end") == nullptr && node.find("number") == nullptr) scan.has_open_flows = true;
   if (has_route(node)) scan.has_given_routes = true;
   return true;
@@ -69,12 +111,14 @@ bool scan_into(xml::Writer& writer, const std::filesystem::path& file, const Net
           throw root.error("this is no route file: its root should be <routes>");
         }
       },
-      [&](const xml::Node& node) {
+      [&](xml::Node& node) {
         if (node.name == "include") {
           const auto included = std::filesystem::absolute(file).parent_path() / node.require("href");
           if (scan_into(writer, included, network, is_additional, scan)) found = true;
           return;
         }
+        const bool is_route = node.name == "route" || node.name == "routeDistribution";
+        if (is_route && !note_route(node, network, scan)) return;
         const bool is_demand = is_demand_element(node.name);
         if (is_additional && !is_demand) return;  // duarouter reads the rest of the additional file itself
         found = found || is_demand;

@@ -7,14 +7,18 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/time.hpp"
 #include "demand/demand.hpp"
 
 namespace thalweg {
 
 /// What the user's demand files say of themselves, before anything is routed.
 struct InputScan {
+  Millis begin = 0;  ///< given: who departs before it is not in this simulation, as in SUMO
   std::unordered_map<std::string, std::string> via;  ///< by id of the vehicle, trip or flow
   std::vector<std::string> ids;                      ///< of vehicles and trips, in order; flows are not in it
+  std::vector<std::string> flows;                    ///< their ids, in order
+  std::unordered_map<std::string, std::string> broken_routes;  ///< by id: the first road that the net has not
   std::vector<DroppedVehicle> dropped;   ///< name a road that the net has not: duarouter would cut them short
   bool has_given_routes = false;         ///< some vehicle brings its route along
   bool has_open_flows = false;           ///< some flow has neither an end nor a number
@@ -22,8 +26,8 @@ struct InputScan {
 };
 
 /// Copies what a route file or an additional file holds of demand to `copy` (a route file), without the
-/// vehicles, trips and flows that name unknown roads, and notes it in `scan`. InputError: no XML, a double
-/// id. False when there was no demand in it, and so no copy.
+/// vehicles, trips and flows that name unknown roads or are over before the begin, and notes it in `scan`.
+/// InputError: no XML, a double id. False when there was no demand in it, and so no copy.
 bool scan_demand(const std::filesystem::path& file, const std::filesystem::path& copy, const Network& network,
                  bool is_additional, InputScan& scan);
 

@@ -7,89 +7,17 @@
 #include <unordered_set>
 
 #include "core/number.hpp"
+#include "core/time.hpp"
 #include "demand/additional.hpp"
+#include "demand/duarouter.hpp"
+#include "demand/duarouter_log.hpp"
 #include "demand/input_scan.hpp"
 #include "demand/vehicle_file.hpp"
-#include "sumo/options.hpp"
-#include "sumo/program.hpp"
 
 namespace thalweg {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// duarouter with what all its calls share.
-class Duarouter {
- public:
-  Duarouter(const Settings& settings, const SumoInstallation& sumo, const fs::path& folder)
-      : program_(sumo.duarouter), folder_(folder) {
-    require_tool(program_, "duarouter");
-    const SumoOptions options = SumoOptions::ask(program_);
-    common_ = {"--net-file",
-               settings.find("net-file").value_or(""),
-               "--ignore-errors",
-               "--no-step-log",
-               "--skip-new-routes",  // given routes are kept; without it duarouter routes them afresh
-               "--unsorted-input",
-               "--alternatives-output",
-               "NUL",
-               "--ptline-routing"};
-    if (options.find("ptline-routing") == nullptr) common_.pop_back();
-    // CCH is a hundred times faster than the default and finds the same costs, but is new.
-    const auto* algorithm = options.find("routing-algorithm");
-    const bool has_cch = algorithm != nullptr && algorithm->second.help.find("CCH") != std::string::npos;
-    add("--routing-algorithm", has_cch ? "CCH" : "astar");
-    for (const char* shared :
-         {"additional-files", "begin", "junction-taz", "scale", "mapmatch.distance", "mapmatch.junctions",
-          "mapmatch.taz", "weights.minor-penalty", "weights.turnaround-penalty", "weights.tls-penalty"}) {
-      const auto value = settings.find(shared);
-      if (value && !value->empty() && options.find(shared) != nullptr)
-        add(std::string("--") + shared, *value);
-    }
-  }
-
-  /// Routes `inputs` into `output`; returns what duarouter printed. InputError with its words when it fails.
-  std::string route(const std::string& inputs, const fs::path& output, std::vector<std::string> more) const {
-    more.insert(more.begin(), {"--route-files", inputs, "--output-file", output.string()});
-    more.insert(more.end(), common_.begin(), common_.end());
-    const fs::path log = folder_ / "duarouter.log";
-    const int exit = run_program(program_, more, log);
-    std::string words = read_text(log);
-    if (exit != 0) {
-      throw InputError(fmt::format("duarouter could not route the demand (exit {}; {}):\n{}", exit,
-                                   log.string(),
-                                   words.substr(words.size() > 2000 ? words.size() - 2000 : 0)));
-    }
-    return words;
-  }
-
- private:
-  void add(std::string name, std::string value) {
-    common_.push_back(std::move(name));
-    common_.push_back(std::move(value));
-  }
-
-  fs::path program_;
-  fs::path folder_;
-  std::vector<std::string> common_;
-};
-
-/// The first message that names a vehicle, by its id: "Warning: ... vehicle 'x' ..." or "Vehicle 'x' ...".
-std::unordered_map<std::string, std::string> reasons_of(const std::string& log) {
-  std::unordered_map<std::string, std::string> reasons;
-  for (const auto line : split(log, "\n\r")) {
-    constexpr std::string_view mark = "ehicle '";
-    const auto at = line.find(mark);
-    if (at == std::string_view::npos) continue;
-    const auto id = line.substr(at + mark.size());
-    const auto end = id.find('\'');
-    if (end == std::string_view::npos) continue;
-    constexpr std::string_view warning = "Warning: ";
-    reasons.try_emplace(std::string(id.substr(0, end)),
-                        line.starts_with(warning) ? line.substr(warning.size()) : line);
-  }
-  return reasons;
-}
 
 /// The way points of a vehicle: its own, or those of the flow it came from ("flow.3").
 std::string via_of(const std::string& id, const InputScan& scan) {
@@ -101,10 +29,11 @@ std::string via_of(const std::string& id, const InputScan& scan) {
 }
 
 /// The arms' file of vehicles: types in front (without those of additional files, which SUMO reads itself),
-/// what duarouter dropped on the way noted in `demand`.
-void write_given(const fs::path& routed, const fs::path& types_file, const TypeClasses& other_types,
-                 const InputScan& scan, const Network& network, const DemandFiles& files,
-                 std::string_view header, Demand& demand) {
+/// what duarouter dropped on the way noted in `demand`. Returns the persons and containers among them.
+std::unordered_set<std::string> write_given(const fs::path& routed, const fs::path& types_file,
+                                            const TypeClasses& other_types, const InputScan& scan,
+                                            const Network& network, const DemandFiles& files,
+                                            std::string_view header, Demand& demand) {
   TypeClasses types = other_types;
   types.merge(default_types());
   read_types(types_file, types);
@@ -117,10 +46,13 @@ void write_given(const fs::path& routed, const fs::path& types_file, const TypeC
         strip_parameters(node);
         write_node(writer, node);
       });
+  std::unordered_set<std::string> persons;
   xml::read_nodes(
       routed, [](const xml::Element&) {},
       [&](xml::Node& node) {
         strip_parameters(node);
+        if (node.name.starts_with("person") || node.name.starts_with("container"))
+          persons.insert(node.require("id"));
         if (node.name != "vehicle") return write_node(writer, node);
         const std::string& id = node.require("id");
         const auto type = node.value_or("type", "DEFAULT_VEHTYPE");
@@ -141,6 +73,31 @@ void write_given(const fs::path& routed, const fs::path& types_file, const TypeC
         write_node(writer, node);
       });
   writer.commit();
+  return persons;
+}
+
+/// Those that duarouter has said something of, and that it has not written.
+void note_lost_persons(const std::string& log, const std::unordered_set<std::string>& written,
+                       Demand& demand) {
+  std::unordered_set<std::string> alive = written;
+  for (const auto& id : written) alive.insert(id.substr(0, id.rfind('.')));  // a flow's
+  for (const auto& [id, reason] : reasons_of_persons(log)) {
+    if (!alive.contains(id)) demand.lost_persons.push_back({.id = id, .reason = reason});
+  }
+  std::sort(demand.lost_persons.begin(), demand.lost_persons.end(),
+            [](const auto& a, const auto& b) { return a.id < b.id; });
+}
+
+/// The flows without a single vehicle that duarouter has said something of; the others have none to come.
+void note_lost_flows(const InputScan& scan, const std::unordered_set<std::string>& present,
+                     const std::unordered_map<std::string, std::string>& reasons, Demand& demand) {
+  std::unordered_set<std::string> alive;
+  for (const auto& id : present) alive.insert(id.substr(0, id.rfind('.')));
+  for (const auto& id : scan.flows) {
+    const auto reason = reasons.find(id);
+    if (reason == reasons.end() || alive.contains(id)) continue;
+    demand.dropped.push_back({.id = id, .reason = "the whole flow: " + reason->second});
+  }
 }
 
 /// Adds those who were in the input and are not in the output; in a thinned demand only those with a reason.
@@ -153,12 +110,11 @@ void note_unrouted(const InputScan& scan, const std::string& log, bool is_thinne
     if (present.contains(id)) continue;
     const auto reason = reasons.find(id);
     if (is_thinned && reason == reasons.end()) continue;
-    demand.dropped.push_back({.id = id,
-                              .reason = reason == reasons.end()
-                                            ? "departs before the begin, or duarouter left it out"
-                                            : reason->second});
+    demand.dropped.push_back(
+        {.id = id, .reason = reason == reasons.end() ? "duarouter left it out" : reason->second});
     reasons.erase(id);
   }
+  note_lost_flows(scan, present, reasons, demand);
   std::vector<DroppedVehicle> of_flows;
   for (const auto& [id, reason] : reasons) {
     if (!present.contains(id) && !scan.seen.contains(id)) of_flows.push_back({.id = id, .reason = reason});
@@ -232,15 +188,18 @@ Settings for_duarouter(const Settings& settings, const fs::path& scratch) {
   }
   Settings rest = settings;
   rest.set("additional-files", copies);
+  if (rest.find("load-state")) rest.erase("begin");  // who is on the road in the state departed before
   return rest;
 }
 
-void write_dropped(const DemandFiles& files, std::string_view header,
-                   const std::vector<DroppedVehicle>& dropped) {
+void write_dropped(const DemandFiles& files, std::string_view header, const Demand& demand) {
   xml::Writer writer(files.dropped(), fmt::format("vehicles left out of every arm, and why; {}", header));
   writer.open("dropped");
-  for (const auto& [id, reason] : dropped) {
+  for (const auto& [id, reason] : demand.dropped) {
     writer.open("vehicle").attribute("id", id).attribute("reason", reason).close();
+  }
+  for (const auto& [id, reason] : demand.lost_persons) {
+    writer.open("person").attribute("id", id).attribute("reason", reason).close();
   }
   writer.commit();
 }
@@ -248,11 +207,12 @@ void write_dropped(const DemandFiles& files, std::string_view header,
 }  // namespace
 
 Demand prepare_demand(const Settings& settings, const Network& network, const SumoInstallation& sumo,
-                      const DemandFiles& files, std::string_view header) {
+                      const DemandFiles& files, std::string_view header, const std::atomic<bool>& stop) {
   fs::create_directories(files.folder);
   const fs::path scratch = files.folder / "additional";
   Settings routing = for_duarouter(settings, scratch);
   InputScan scan;
+  scan.begin = parse_time(routing.find("begin").value_or("0")).value_or(0);
   TypeClasses other_types;  // of additional files
   std::string inputs;
   int number = 0;
@@ -267,6 +227,9 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   scan_all("additional-files", true);
   scan_all("route-files", false);
   verify(!scan.seen.empty(), "the configuration has no demand: no vehicle, trip or flow in its files");
+  verify(!scan.ids.empty() || !scan.flows.empty() || !scan.dropped.empty(),
+         fmt::format("nothing is left of the demand: all departs before the begin ({} s)",
+                     format_seconds(scan.begin)));
 
   Demand demand;
   const fs::path routed = files.folder / "routed.xml";
@@ -274,19 +237,20 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   std::vector<std::string> more{"--vtype-output", types.string()};
   if (const auto end = settings.find("end"); end && scan.has_open_flows)
     more.insert(more.end(), {"--end", *end});
-  const std::string log = Duarouter(routing, sumo, files.folder).route(inputs, routed, more);
+  const std::string log = Duarouter(routing, sumo, files.folder, stop).route(inputs, routed, more);
   demand.dropped = scan.dropped;
-  write_given(routed, types, other_types, scan, network, files, header, demand);
+  const auto persons = write_given(routed, types, other_types, scan, network, files, header, demand);
+  note_lost_persons(log, persons, demand);
   const auto scale = parse_number(settings.find("scale").value_or("1"));
   note_unrouted(scan, log, scale && *scale < 1, demand);
   if (scan.has_given_routes) {
     routing.erase("scale");  // done already
-    write_free_flow(Duarouter(routing, sumo, files.folder), files, header, demand);
+    write_free_flow(Duarouter(routing, sumo, files.folder, stop), files, header, demand);
   } else {
     fs::copy_file(files.given(), files.free_flow(), fs::copy_options::overwrite_existing);
   }
   fs::remove_all(scratch);
-  write_dropped(files, header, demand.dropped);
+  write_dropped(files, header, demand);
   verify(!demand.vehicles.empty(),
          fmt::format("nothing is left of the demand: no vehicle can be routed; {} tells why",
                      files.dropped().string()));
@@ -304,8 +268,8 @@ Demand read_prepared_demand(const Settings& settings, const Network& network, co
   xml::read_nodes(
       files.dropped(), [](const xml::Element&) {},
       [&](const xml::Node& node) {
-        demand.dropped.push_back(
-            {.id = node.require("id"), .reason = std::string(node.value_or("reason", ""))});
+        auto& list = node.name == "person" ? demand.lost_persons : demand.dropped;
+        list.push_back({.id = node.require("id"), .reason = std::string(node.value_or("reason", ""))});
       });
   return demand;
 }

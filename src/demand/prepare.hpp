@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <string_view>
 
@@ -27,10 +28,10 @@ struct DemandFiles {
 /// explicit routes, by duarouter, once before all arms: flows expanded, trips routed on free flow, given
 /// routes kept; types, depart attributes, stops and `via` kept; public transport and persons as they are.
 /// What cannot be routed is left out and listed with its reason. `settings`: the configuration, paths
-/// absolute; `header`: a comment on top of the files. InputError when duarouter fails, or the demand is
-/// empty.
+/// absolute; `header`: a comment on top of the files; `stop` ends it. InputError when duarouter fails or was
+/// stopped, or the demand is empty.
 Demand prepare_demand(const Settings& settings, const Network& network, const SumoInstallation& sumo,
-                      const DemandFiles& files, std::string_view header);
+                      const DemandFiles& files, std::string_view header, const std::atomic<bool>& stop);
 
 /// Reads a prepared demand back. InputError when the folder holds none.
 Demand read_prepared_demand(const Settings& settings, const Network& network, const DemandFiles& files);

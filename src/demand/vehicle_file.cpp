@@ -43,7 +43,10 @@ bool is_public_transport(const xml::Node& vehicle, VehicleClass vehicle_class) {
 }  // namespace
 
 void read_types(const std::filesystem::path& file, TypeClasses& types) {
-  xml::read_nodes(file, [&](const xml::Node& node) { add_type(node, types); });
+  xml::read_nodes(file, [&](const xml::Node& node) {
+    if (node.name == "include") read_types(file.parent_path() / node.require("href"), types);
+    add_type(node, types);
+  });
 }
 
 TypeClasses default_types() {

@@ -14,7 +14,8 @@ namespace thalweg {
 using TypeClasses = std::unordered_map<std::string, VehicleClass>;  ///< by id of the type
 using RoutesById = std::unordered_map<std::string, std::string>;    ///< `edges` by id of the vehicle
 
-/// The vehicle types that a file defines, those in distributions included, with their classes.
+/// The vehicle types that a file and those that it includes define, those in distributions too, with their
+/// classes.
 void read_types(const std::filesystem::path& file, TypeClasses& types);
 /// The types that every SUMO has.
 TypeClasses default_types();

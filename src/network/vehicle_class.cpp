@@ -16,6 +16,7 @@ struct ClassFacts {
 };
 
 using enum VehicleClass;
+/// Of SUMO 1.28; who can go faster than he wants to (a bicycle) has the speed that he wants.
 constexpr std::array<ClassFacts, 34> facts{{
     {ignoring, "ignoring", 200},
     {private_car, "private", 200},
@@ -27,7 +28,7 @@ constexpr std::array<ClassFacts, 34> facts{{
     {passenger, "passenger", 200},
     {hov, "hov", 200},
     {taxi, "taxi", 200},
-    {bus, "bus", 85},
+    {bus, "bus", 100},
     {coach, "coach", 100},
     {delivery, "delivery", 200},
     {truck, "truck", 130},
@@ -41,16 +42,16 @@ constexpr std::array<ClassFacts, 34> facts{{
     {rail, "rail", 160, true},
     {rail_electric, "rail_electric", 220, true},
     {rail_fast, "rail_fast", 330, true},
-    {ship, "ship", 29.6, true},
+    {ship, "ship", 8 / 1.94 * 3.6, true},
     {custom1, "custom1", 200},
     {custom2, "custom2", 200},
     {container, "container", 200},
-    {cable_car, "cable_car", 29, true},
-    {subway, "subway", 80, true},
-    {aircraft, "aircraft", 1000, true},
+    {cable_car, "cable_car", 200, true},
+    {subway, "subway", 100, true},
+    {aircraft, "aircraft", 200, true},
     {wheelchair, "wheelchair", 5},
-    {scooter, "scooter", 25},
-    {drone, "drone", 72},
+    {scooter, "scooter", 20},
+    {drone, "drone", 200},
 }};
 
 struct Alias {

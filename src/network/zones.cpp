@@ -79,6 +79,7 @@ std::string zone_sink(std::string_view zone) { return fmt::format("{}-sink", zon
 
 void add_zones(const std::filesystem::path& additional_file, Network& network) {
   xml::read_nodes(additional_file, [&](const xml::Node& node) {
+    if (node.name == "include") add_zones(additional_file.parent_path() / node.require("href"), network);
     if (node.name == "taz") ZoneReader(node, network).read();
   });
 }

@@ -54,9 +54,9 @@ Days read_days(const std::filesystem::path& file) {
 
 std::string format_table(const Days& days) {
   std::string text = fmt::format(
-      "SUMO {} · {} · Thalweg {}\n\nDay by day: mean commute of all vehicles that were "
+      "{} · {} · Thalweg {}\n\nDay by day: mean commute of all vehicles that were "
       "due in s, teleports, re-routings, CPU time in s\n",
-      days.sumo, days.configuration, days.thalweg);
+      days.sumo, days.configuration, days.thalweg);  // libsumo says "SUMO 1.28.0"
   const auto line = [&](auto... cells) {
     text += fmt::format("  {:>4}  {:>10}  {:>9}  {:>9}  {:>10}  {:>10}  {:>10}  {:>14}\n", cells...);
   };

@@ -89,7 +89,8 @@ struct Sums {
     ++group.vehicles;
     // SUMO writes a vehicle due exactly at the end as waiting, later ones not at all.
     const bool due = demanded.depart < end;
-    if (!due && (trip.state == State::unseen || trip.state == State::waiting)) {
+    const bool was_gone = demanded.is_past && trip.state == State::unseen;
+    if (was_gone || (!due && (trip.state == State::unseen || trip.state == State::waiting))) {
       ++group.not_loaded;
       return;
     }

@@ -24,6 +24,7 @@ struct DemandedTrip {
   bool fixed = false;         ///< a bus or another vehicle that may not be re-routed
   std::string destination{};  ///< the last road of its route; empty: not known (see read_trips)
   bool equipped = true;       ///< of the share that a router of ours leads (in every arm)
+  bool is_past = false;  ///< departs before the run begins: on its way in a state that is loaded, or gone
 };
 
 /// Counts of vehicles by their state at the end of a run, and mean times in seconds, lengths in metres.
@@ -86,10 +87,11 @@ struct RunSummary {
 /// The commute of a finished trip is its depart delay + duration; one that is running, waiting or discarded
 /// has lasted from its demanded departure until `end`. SUMO writes nothing at all for a vehicle that it
 /// discards
-/// (--max-depart-delay). A vehicle removed on its way (collision, vaporizer) is written as arrived, with the
-/// reason: it counts as discarded. The reason "teleport" stands both for one teleported to its destination
-/// (finished) and for one removed by --time-to-teleport.remove (discarded): `destination` tells them apart,
-/// and without it the vehicle counts as finished.
+/// (--max-depart-delay); nor for one that had arrived when a state was saved that the run begins with, and
+/// that counts as not loaded. A vehicle removed on its way (collision, vaporizer) is written as arrived, with
+/// the reason: it counts as discarded. The reason "teleport" stands both for one teleported to its
+/// destination (finished) and for one removed by --time-to-teleport.remove (discarded): `destination` tells
+/// them apart, and without it the vehicle counts as finished.
 ///
 /// InputError: the file is missing, cut short, or no tripinfo.
 void read_trips(const std::filesystem::path& tripinfo, std::span<const DemandedTrip> demand, Millis end,

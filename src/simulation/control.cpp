@@ -276,6 +276,7 @@ RunResult control(Simulation& simulation, const Network& network, const Demand& 
                   const ControlOptions& options, const std::function<void(const Simulation&)>& progress,
                   const std::atomic<bool>& stop) {
   RunResult result;
+  result.begin = simulation.now();
   result.arrival.assign(demand.vehicles.size(), infinity);
   double mark = cpu_seconds();
   const auto lap = [&](double& account) {

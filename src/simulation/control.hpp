@@ -42,6 +42,7 @@ enum class StopReason : std::uint8_t { emptied, end_reached, stalled, interrupte
 
 struct RunResult {
   StopReason reason = StopReason::emptied;
+  Millis begin = 0;
   Millis end = 0;
   std::uint64_t decisions = 0;
   std::uint64_t reroutes = 0;

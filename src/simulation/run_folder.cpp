@@ -38,7 +38,8 @@ fs::path readable_output(Settings& run, OutputPlaces& places, std::string_view o
                          std::string_view file) {
   const std::string value = run.find(option).value_or("");
   const bool is_xml = value.ends_with(".xml") || value.ends_with(".xml.gz");
-  if (!is_xml) run.set(option, places.place(file, places.folder()));
+  const bool is_known = value.find("${") == std::string::npos;  // else SUMO fills in the time
+  if (!is_xml || !is_known) run.set(option, places.place(file, places.folder()));
   return *run.find(option);
 }
 

@@ -22,6 +22,14 @@ std::vector<std::string> loaded_at_start() {
   return {};
 }
 
+/// Whose vehicles tell nothing of their stops: SUMO warns each time they are asked.
+template <class SumoSimulation>
+bool is_mesoscopic() {
+  if constexpr (requires { SumoSimulation::getOption(std::string()); })
+    return SumoSimulation::getOption("mesosim") == "true";
+  return false;
+}
+
 class SumoSession : public Simulation {
  public:
   explicit SumoSession(const SessionSetup& setup)
@@ -36,7 +44,9 @@ class SumoSession : public Simulation {
     const double end = libsumo::Simulation::getEndTime();
     end_ = end < 0 ? infinity : from_seconds(end);
     now_ = from_seconds(libsumo::Simulation::getTime());
+    is_mesoscopic_ = is_mesoscopic<libsumo::Simulation>();
     on_loaded(loaded_at_start<libsumo::Vehicle>());
+    on_departed(libsumo::Vehicle::getIDList());  // of a state that was loaded
   }
   SumoSession(const SumoSession&) = delete;
   SumoSession& operator=(const SumoSession&) = delete;
@@ -60,13 +70,7 @@ class SumoSession : public Simulation {
       libsumo::Simulation::step();
       now_ = from_seconds(libsumo::Simulation::getTime());
       on_loaded(libsumo::Simulation::getLoadedIDList());
-      const auto departed = libsumo::Simulation::getDepartedIDList();
-      for (const auto& name : departed) {
-        const auto known = ids_.find(name);
-        places_.emplace(name, running_.size());
-        running_.push_back({.name = name, .id = known == ids_.end() ? VehicleId{} : known->second});
-      }
-      resolve(departed, events_.departed);
+      on_departed(libsumo::Simulation::getDepartedIDList());
       const auto arrived = libsumo::Simulation::getArrivedIDList();
       for (const auto& name : arrived) forget(name);
       resolve(arrived, events_.arrived);
@@ -174,6 +178,15 @@ class SumoSession : public Simulation {
     }
   }
 
+  void on_departed(const std::vector<std::string>& names) {
+    resolve(names, events_.departed);
+    for (const auto& name : names) {
+      const auto known = ids_.find(name);
+      places_.emplace(name, running_.size());
+      running_.push_back({.name = name, .id = known == ids_.end() ? VehicleId{} : known->second});
+    }
+  }
+
   void resolve(const std::vector<std::string>& names, std::vector<VehicleId>& out) const {
     out.clear();
     for (const auto& name : names) {
@@ -257,7 +270,8 @@ class SumoSession : public Simulation {
   /// Where on its route the vehicle is and what is committed; false when it is not on it.
   bool locate(const std::string& name, Plan& plan) const {
     const std::string road = libsumo::Vehicle::getRoadID(name);
-    if (road.empty() || libsumo::Vehicle::getStopState(name) != 0) return false;
+    const bool stands = !is_mesoscopic_ && libsumo::Vehicle::getStopState(name) != 0;
+    if (road.empty() || stands) return false;
     if (road.front() == ':') {
       plan.committed = 2;
       plan.driven = 1;
@@ -285,6 +299,7 @@ class SumoSession : public Simulation {
   Millis now_ = 0;
   Millis step_length_ = 1000;
   Millis end_ = infinity;
+  bool is_mesoscopic_ = false;
   bool closed_ = false;
 };
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 
 #include "core/error.hpp"
 #include "core/number.hpp"
@@ -13,11 +15,30 @@
 namespace thalweg {
 namespace {
 
+std::string value_of_variable(const std::string& name) {
+  static constexpr std::array<std::string_view, 3> of_sumo{"LOCALTIME", "UTC", "PID"};
+  if (std::find(of_sumo.begin(), of_sumo.end(), name) != of_sumo.end()) return "${" + name + "}";
+  const char* value = std::getenv(name.c_str());
+  return value == nullptr ? "" : value;
+}
+
+std::string with_environment(std::string_view text) {
+  std::string result;
+  while (true) {
+    const auto begin = text.find("${");
+    const auto end = begin == std::string_view::npos ? begin : text.find('}', begin + 3);
+    if (end == std::string_view::npos) return result.append(text);
+    result.append(text.substr(0, begin));
+    result.append(value_of_variable(std::string(text.substr(begin + 2, end - begin - 2))));
+    text.remove_prefix(end + 1);
+  }
+}
+
 class ConfigurationHandler : public xml::Handler {
  public:
   void start(const xml::Element& element) override {
     const auto value = element.find("value") ? element.find("value") : element.find("v");
-    if (value) settings.push_back({.name = std::string(element.name()), .value = std::string(*value)});
+    if (value) settings.push_back({.name = std::string(element.name()), .value = with_environment(*value)});
   }
   std::vector<Setting> settings;
 };

@@ -15,7 +15,8 @@ struct Setting {
 };
 
 /// A configuration in SUMO's format: any root, sections of any name, `<option value="..."/>`. In the file's
-/// order.
+/// order. "${NAME}" is that variable of the environment, empty where there is none; "${LOCALTIME}", "${UTC}"
+/// and "${PID}" are left to SUMO.
 std::vector<Setting> read_configuration(const std::filesystem::path& file);
 
 void write_configuration(const std::filesystem::path& file, std::string_view header,

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <boost/process.hpp>
+#include <chrono>
+#include <csignal>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "core/error.hpp"
 
@@ -13,11 +16,21 @@ namespace thalweg {
 
 int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                 const std::filesystem::path& log) {
+  static const std::atomic<bool> never{false};
+  return run_program(program, arguments, log, never);
+}
+
+int run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                const std::filesystem::path& log, const std::atomic<bool>& stop) {
   namespace bp = boost::process;
   try {
     bp::child child(bp::exe = program.string(), bp::args = arguments,
                     bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string());
-    child.wait();
+    bool is_told = false;
+    while (child.running()) {
+      if (stop && !is_told) is_told = kill(child.id(), SIGTERM) == 0;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
     const int status = child.native_exit_code();
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : child.exit_code();
   } catch (const bp::process_error& error) {

@@ -325,6 +325,7 @@ class BadInput(support.TestCase):
                 (["run", "--verbose", "--strict=perhaps"], "strict.*perhaps"),
                 (["run", "-n"], "net-file"),
                 (["run", "stray"], "'stray'"),
+                (["run", "city.sumocfg"], "did you mean '-c city.sumocfg'"),
                 (["run"], "net-file"),
                 (["network"], "net-file"),
                 (["route", "-n", net], "route"),

@@ -231,11 +231,24 @@ class CompareFails(support.TestCase):
             read_xml(file)
         self.assertEqual(list(folder.rglob("*.tmp")), [])
 
-    def test_interrupt_of_a_run(self):
+    @on_each(("prepared", "loaded"))
+    def test_interrupt_before_the_first_step(self, when):
+        """While duarouter is at work, and while SUMO loads."""
+        folder = self.folder()
+        file = folder / ("demand" if when == "prepared" else "run.sumocfg")
+        process = self.start("run", "-c", HEAVY, "-o", folder)
+        self.wait_for(file.exists)
+        process.send_signal(signal.SIGTERM)
+        result = self.end(process)
+        self.assertEqual(result.exit, 1, result)
+        self.assertRegex(result.err, "^(Error|Warning): interrupted ")
+
+    @on_each(("int", "term", "hup"))
+    def test_interrupt_of_a_run(self, name):
         folder = self.folder()
         process = self.start("run", "-c", HEAVY, "-o", folder, "--decision-output", "decisions.xml.gz")
         self.wait_for(lambda: self.simulating(folder))
-        process.send_signal(signal.SIGINT)
+        process.send_signal(getattr(signal, "SIG" + name.upper()))
         result = self.end(process)
         self.assertEqual(result.exit, 1, result)
         self.assertIn("interrupted", result.err)

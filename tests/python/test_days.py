@@ -38,6 +38,7 @@ class Days(support.TestCase):
         for day in self.json["days"]:
             self.assertEqual((day["finished"], day["exit"], day["arm"]), (VEHICLES, 0, "memory"))
             self.assertIn(f"{day['commute_mean']:.1f}", self.result.out)
+        self.assertTrue(self.result.out.startswith("SUMO 1"), self.result.out)
 
     def test_each_day_remembers_those_before(self):
         for day in range(1, DAYS + 1):

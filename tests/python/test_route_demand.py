@@ -47,6 +47,19 @@ class RouteDemand(support.TestCase):
         </routes>""")
         self.assert_same(*self.both(net, demand), 15)
 
+    def test_every_class_at_its_own_speed(self):
+        """One road on which nobody is too fast, 20 km; the default speed of each class is SUMO's."""
+        folder = self.folder()
+        write(folder / "n.nod.xml", '<nodes><node id="a" x="0" y="0"/><node id="b" x="20000" y="0"/></nodes>')
+        write(folder / "e.edg.xml", '<edges><edge id="ab" from="a" to="b" speed="120"/></edges>')
+        net = folder / "road.net.xml"
+        run_tool("netconvert", "-n", folder / "n.nod.xml", "-e", folder / "e.edg.xml", "-o", net)
+        classes = sorted(support.sumolib.net.lane.SUMO_VEHICLE_CLASSES)
+        demand = write(folder / "d.rou.xml", "<routes>" + "".join(
+            f'<vType id="T{name}" vClass="{name}" speedFactor="1"/><trip id="{name}" type="T{name}" depart="0" '
+            'from="ab" to="ab"/>' for name in classes) + "</routes>")
+        self.assert_same(*self.both(net, demand), 25)
+
     def test_zones(self):
         """From and to zones: the best pair of their roads, whatever the weights; a road that is named wins."""
         net, folder = make_grid(self.folder()), self.folder()
@@ -129,6 +142,20 @@ class RouteDemand(support.TestCase):
         self.assertEqual([v.get("id") for v in written.iter("vehicle")], ["f.0", "own", "named", "f.1", "late"])
         self.assertEqual([v.find("route").get("edges") for v in written.iter("vehicle") if v.get("id") == "own"],
                          ["A0B0 B0B1"])
+
+    def test_included_files(self):
+        """Types and zones of an included additional file, trips of an included route file."""
+        net, folder = make_grid(self.folder()), self.folder()
+        (folder / "sub").mkdir()
+        write(folder / "sub" / "inner.add.xml", """<additional><vType id="van" vClass="delivery"/>
+            <taz id="west" edges="A0A1"/><taz id="east" edges="E3E4"/></additional>""")
+        outer = write(folder / "outer.add.xml", '<additional><include href="sub/inner.add.xml"/></additional>')
+        write(folder / "sub" / "inner.rou.xml",
+              '<routes><trip id="t" type="van" depart="0" fromTaz="west" toTaz="east"/></routes>')
+        demand = write(folder / "d.rou.xml", '<routes><include href="sub/inner.rou.xml"/></routes>')
+        self.succeeds("route", "-n", net, "-a", outer, "-r", demand, "-o", folder / "o.xml")
+        route = read_xml(folder / "o.xml").find("vehicle").find("route").get("edges").split()
+        self.assertEqual((route[0], route[-1]), ("A0A1", "E3E4"))
 
     def test_what_is_not_routed_is_named(self):
         net, folder = make_grid(self.folder()), self.folder()

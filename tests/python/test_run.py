@@ -149,6 +149,7 @@ class SmallGrid(support.RunCase):
         run = self.drive(random_trips(self.net, 200, 100), sumo=["--mesosim"])
         self.assertEqual(run.summary["finished"], 200)
         self.assertGreater(run.summary["reroutes"], 0)
+        self.assertEqual((run.folder / "sumo.log").read_text(), "", "a warning for every decision")
 
     def test_left_hand(self):
         self.net = make_grid(self.place, "--lefthand")

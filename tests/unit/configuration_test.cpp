@@ -29,6 +29,17 @@ TEST(Configuration, AnyRootAndAnySectionsInTheirOrder) {
             "net-file=a & b.net.xml\nroute-files=r1.xml,r2.xml\nbegin=5\nend=10\n");
 }
 
+TEST(Configuration, VariablesOfTheEnvironmentAreFilledIn) {
+  const TemporaryFolder folder;
+  setenv("THALWEG_TEST_CITY", "bologna", 1);
+  const auto file = folder.write("a.sumocfg", R"(<configuration>
+  <net-file value="${THALWEG_TEST_CITY}/${THALWEG_TEST_CITY}.net.xml"/><route-files value="a${THALWEG_NOBODY}.xml"/>
+  <log value="${LOCALTIME}-${UTC}-${PID}.log"/><output-prefix value="$5 ${ {} ${open"/></configuration>)");
+  EXPECT_EQ(text_of(read_configuration(file)),
+            "net-file=bologna/bologna.net.xml\nroute-files=a.xml\nlog=${LOCALTIME}-${UTC}-${PID}.log\n"
+            "output-prefix=$5  ${open\n");
+}
+
 TEST(Configuration, ComesBackAsItWasWritten) {
   const TemporaryFolder folder;
   const std::vector<Setting> settings{{"net-file", "<&\">.xml"}, {"empty", ""}, {"begin", "5"}};

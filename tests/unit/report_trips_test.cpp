@@ -85,6 +85,14 @@ TEST(Trips, WhatIsDueAtTheEndOrLaterWasNotLoaded) {
   EXPECT_TRUE(std::isnan(run.all.commute_mean));
 }
 
+TEST(Trips, WhoArrivedInALoadedStateWasNotLoaded) {
+  const auto run = read(finished, {{.id = "finished", .depart = 31'500, .is_past = true},
+                                   {.id = "gone", .depart = 500, .is_past = true}});
+  EXPECT_EQ(run.all.finished, 1U);
+  EXPECT_EQ(run.all.not_loaded, 1U);
+  EXPECT_DOUBLE_EQ(run.all.commute_mean, 10.5);
+}
+
 TEST(Trips, RemovedOnTheWayIsDiscarded) {
   const auto run = read(crashed, {{"crashed", 500}});
   EXPECT_EQ(run.all.discarded, 1U);
