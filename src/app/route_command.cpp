@@ -91,17 +91,14 @@ class DemandRoute {
         seed_(options.count("seed")) {}
 
   void read_types(const std::filesystem::path& file) {
-    xml::read_nodes(file, [&](const xml::Node& node) {
-      if (node.name == "include") read_types(file.parent_path() / node.require("href"));
+    xml::read_nodes_and_included(file, [&](const xml::Node& node, const std::filesystem::path&) {
       if (is_type(node)) types_.add(node);
     });
   }
 
   void read(const std::filesystem::path& file) {
-    xml::read_nodes(file, [&](xml::Node& node) {
-      if (node.name == "include") {
-        read(file.parent_path() / node.require("href"));
-      } else if (is_type(node) || node.name == "route" || node.name == "routeDistribution") {
+    xml::read_nodes_and_included(file, [&](xml::Node& node, const std::filesystem::path&) {
+      if (is_type(node) || node.name == "route" || node.name == "routeDistribution") {
         if (is_type(node)) types_.add(node);
         definitions_.push_back(std::move(node));
       } else if (node.name == "flow") {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "demand/input_scan.hpp"
 #include "xml/node.hpp"
@@ -51,6 +52,41 @@ void rewrite(xml::Node& node, const fs::path& source_folder, OutputPlaces& place
   for (xml::Node& child : node.children) rewrite(child, source_folder, places);
 }
 
+/// `open`: the files that include this one, from the first down.
+void rewrite_file(const fs::path& from, const fs::path& to, OutputPlaces& places, bool for_duarouter,
+                  std::vector<fs::path> open) {
+  const fs::path canonical = fs::weakly_canonical(from);
+  verify(std::find(open.begin(), open.end(), canonical) == open.end(),
+         fmt::format("{} includes itself", from.string()));
+  open.push_back(canonical);
+  xml::Writer writer(to, fmt::format("from {}", from.filename().string()));
+  const fs::path source_folder = fs::absolute(from).parent_path();
+  int copies = 0;
+  xml::read_nodes(
+      from,
+      [&](const xml::Element& root) {
+        writer.open(root.name());
+        for (const auto& a : root.attributes()) {
+          if (a.name.find(':') == std::string_view::npos && a.name != "noNamespaceSchemaLocation") {
+            writer.attribute(a.name, a.value);
+          }
+        }
+      },
+      [&](xml::Node& node) {
+        if (is_demand_element(node.name) || (for_duarouter && node.name == "calibrator")) return;
+        if (node.name == "include") {
+          fs::path copy = to;
+          copy.replace_filename(fmt::format("{}.{}", ++copies, to.filename().string()));
+          rewrite_file(source_folder / node.require("href"), copy, places, for_duarouter, open);
+          node.set("href", copy.string());
+        } else {
+          rewrite(node, source_folder, places);
+        }
+        write_node(writer, node);
+      });
+  writer.commit();
+}
+
 }  // namespace
 
 bool switches_rerouting(std::string_view key) {
@@ -77,32 +113,7 @@ std::string OutputPlaces::place(std::string_view value, const fs::path& from) {
 }
 
 void rewrite_additional(const fs::path& from, const fs::path& to, OutputPlaces& places, bool for_duarouter) {
-  xml::Writer writer(to, fmt::format("from {}", from.filename().string()));
-  const fs::path source_folder = fs::absolute(from).parent_path();
-  int copies = 0;
-  xml::read_nodes(
-      from,
-      [&](const xml::Element& root) {
-        writer.open(root.name());
-        for (const auto& a : root.attributes()) {
-          if (a.name.find(':') == std::string_view::npos && a.name != "noNamespaceSchemaLocation") {
-            writer.attribute(a.name, a.value);
-          }
-        }
-      },
-      [&](xml::Node& node) {
-        if (is_demand_element(node.name) || (for_duarouter && node.name == "calibrator")) return;
-        if (node.name == "include") {
-          fs::path copy = to;
-          copy.replace_filename(fmt::format("{}.{}", ++copies, to.filename().string()));
-          rewrite_additional(source_folder / node.require("href"), copy, places, for_duarouter);
-          node.set("href", copy.string());
-        } else {
-          rewrite(node, source_folder, places);
-        }
-        write_node(writer, node);
-      });
-  writer.commit();
+  rewrite_file(from, to, places, for_duarouter, {});
 }
 
 }  // namespace thalweg

@@ -100,23 +100,18 @@ bool note(xml::Node& node, const Network& network, InputScan& scan) {
   return true;
 }
 
-/// What `scan_demand` does with one file, and with those that it includes. True: there was demand in it.
+/// What `scan_demand` does, into an open file. True: there was demand in it.
 bool scan_into(xml::Writer& writer, const std::filesystem::path& file, const Network& network,
                bool is_additional, InputScan& scan) {
   bool found = false;
-  xml::read_nodes(
+  xml::read_nodes_and_included(
       file,
       [&](const xml::Element& root) {
         if (!is_additional && (root.name() == "net" || root.name() == "configuration")) {
           throw root.error("this is no route file: its root should be <routes>");
         }
       },
-      [&](xml::Node& node) {
-        if (node.name == "include") {
-          const auto included = std::filesystem::absolute(file).parent_path() / node.require("href");
-          if (scan_into(writer, included, network, is_additional, scan)) found = true;
-          return;
-        }
+      [&](xml::Node& node, const std::filesystem::path&) {
         const bool is_route = node.name == "route" || node.name == "routeDistribution";
         if (is_route && !note_route(node, network, scan)) return;
         const bool is_demand = is_demand_element(node.name);

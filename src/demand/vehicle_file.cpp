@@ -43,10 +43,8 @@ bool is_public_transport(const xml::Node& vehicle, VehicleClass vehicle_class) {
 }  // namespace
 
 void read_types(const std::filesystem::path& file, TypeClasses& types) {
-  xml::read_nodes(file, [&](const xml::Node& node) {
-    if (node.name == "include") read_types(file.parent_path() / node.require("href"), types);
-    add_type(node, types);
-  });
+  xml::read_nodes_and_included(
+      file, [&](const xml::Node& node, const std::filesystem::path&) { add_type(node, types); });
 }
 
 TypeClasses default_types() {

@@ -78,8 +78,7 @@ std::string zone_source(std::string_view zone) { return fmt::format("{}-source",
 std::string zone_sink(std::string_view zone) { return fmt::format("{}-sink", zone); }
 
 void add_zones(const std::filesystem::path& additional_file, Network& network) {
-  xml::read_nodes(additional_file, [&](const xml::Node& node) {
-    if (node.name == "include") add_zones(additional_file.parent_path() / node.require("href"), network);
+  xml::read_nodes_and_included(additional_file, [&](const xml::Node& node, const std::filesystem::path&) {
     if (node.name == "taz") ZoneReader(node, network).read();
   });
 }

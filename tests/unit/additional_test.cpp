@@ -132,6 +132,13 @@ TEST_F(Additional, ErrorsNameTheFileAndLeaveNoCopy) {
   EXPECT_TRUE(fs::is_empty(folder / "run"));
 }
 
+TEST_F(Additional, AFileThatIncludesItselfIsTold) {
+  const auto from = folder.write("city/a.add.xml", "<additional><include href=\"b.add.xml\"/></additional>");
+  folder.write("city/b.add.xml", "<additional><include href=\"./a.add.xml\"/></additional>");
+  const auto copy = [&] { rewrite_additional(from, folder / "run/a.add.xml", places, false); };
+  EXPECT_TRUE(contains(input_error(copy), "a.add.xml includes itself"));
+}
+
 TEST_F(Additional, TheUsersFolderStaysAsItWas) {
   copy_of("<e1Detector id=\"a\" file=\"sub/e1.xml\"/>");
   EXPECT_EQ(folder.files(), (std::vector<std::string>{"city/extra.add.xml", "run/extra.add.xml"}));
