@@ -116,6 +116,13 @@ Demand prepare(const Options& options, const Project& project) {
   return demand;
 }
 
+/// `left_out`: who it is, and out of what.
+std::string told(std::string_view left_out, const std::vector<DroppedVehicle>& dropped,
+                 const DemandFiles& files) {
+  return fmt::format("{} {}: '{}' ({}){}; see {}", dropped.size(), left_out, dropped.front().id,
+                     dropped.front().reason, dropped.size() > 1 ? " .." : "", files.dropped().string());
+}
+
 }  // namespace
 
 std::vector<OptionSpec> project_options() {
@@ -168,16 +175,12 @@ Project load_project(Options& options, const std::function<void(const SumoOption
                             : prepare(options, project);
   const auto& lost = project.demand.lost_persons;
   if (!lost.empty() && !prepared) {
-    warn(fmt::format("{} person(s) or container(s) cannot be routed and are left out: '{}' ({}){}; see {}",
-                     lost.size(), lost.front().id, lost.front().reason, lost.size() > 1 ? " .." : "",
-                     project.demand_files.dropped().string()));
+    warn(told("person(s) or container(s) cannot be routed and are left out", lost, project.demand_files));
   }
   const auto& dropped = project.demand.dropped;
   if (!dropped.empty() && !prepared) {
-    const std::string text = fmt::format(
-        "{} vehicle(s) or flow(s) cannot be routed and are left out of every arm: '{}' ({}){}; see {}",
-        dropped.size(), dropped.front().id, dropped.front().reason, dropped.size() > 1 ? " .." : "",
-        project.demand_files.dropped().string());
+    const std::string text = told("vehicle(s) or flow(s) cannot be routed and are left out of every arm",
+                                  dropped, project.demand_files);
     verify(!options.flag("strict"), text);
     warn(text);
   }

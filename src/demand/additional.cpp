@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "demand/input_scan.hpp"
 #include "xml/node.hpp"
@@ -52,13 +51,9 @@ void rewrite(xml::Node& node, const fs::path& source_folder, OutputPlaces& place
   for (xml::Node& child : node.children) rewrite(child, source_folder, places);
 }
 
-/// `open`: the files that include this one, from the first down.
 void rewrite_file(const fs::path& from, const fs::path& to, OutputPlaces& places, bool for_duarouter,
-                  std::vector<fs::path> open) {
-  const fs::path canonical = fs::weakly_canonical(from);
-  verify(std::find(open.begin(), open.end(), canonical) == open.end(),
-         fmt::format("{} includes itself", from.string()));
-  open.push_back(canonical);
+                  xml::IncludeChain& chain) {
+  chain.enter(from);
   xml::Writer writer(to, fmt::format("from {}", from.filename().string()));
   const fs::path source_folder = fs::absolute(from).parent_path();
   int copies = 0;
@@ -77,7 +72,7 @@ void rewrite_file(const fs::path& from, const fs::path& to, OutputPlaces& places
         if (node.name == "include") {
           fs::path copy = to;
           copy.replace_filename(fmt::format("{}.{}", ++copies, to.filename().string()));
-          rewrite_file(source_folder / node.require("href"), copy, places, for_duarouter, open);
+          rewrite_file(source_folder / node.require("href"), copy, places, for_duarouter, chain);
           node.set("href", copy.string());
         } else {
           rewrite(node, source_folder, places);
@@ -85,6 +80,7 @@ void rewrite_file(const fs::path& from, const fs::path& to, OutputPlaces& places
         write_node(writer, node);
       });
   writer.commit();
+  chain.leave();
 }
 
 }  // namespace
@@ -113,7 +109,8 @@ std::string OutputPlaces::place(std::string_view value, const fs::path& from) {
 }
 
 void rewrite_additional(const fs::path& from, const fs::path& to, OutputPlaces& places, bool for_duarouter) {
-  rewrite_file(from, to, places, for_duarouter, {});
+  xml::IncludeChain chain;
+  rewrite_file(from, to, places, for_duarouter, chain);
 }
 
 }  // namespace thalweg

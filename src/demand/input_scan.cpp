@@ -43,10 +43,15 @@ std::string unknown_road_of_routes(const xml::Node& node, const InputScan& scan)
   return {};
 }
 
+/// Empty: all that it drives is in the net.
+std::string missing_road(const xml::Node& node, const Network& network, const InputScan& scan) {
+  auto road = unknown_road(node, network);
+  return road.empty() ? unknown_road_of_routes(node, scan) : road;
+}
+
 /// A <route> or <routeDistribution> of its own. False: it is broken, and so is whoever drives it.
 bool note_route(const xml::Node& node, const Network& network, InputScan& scan) {
-  auto road = unknown_road(node, network);
-  if (road.empty()) road = unknown_road_of_routes(node, scan);
+  const auto road = missing_road(node, network, scan);
   if (road.empty()) return true;
   if (const std::string* id = node.find("id")) scan.broken_routes.emplace(*id, road);
   for (const xml::Node& route : node.children) {
@@ -80,9 +85,7 @@ bool note(xml::Node& node, const Network& network, InputScan& scan) {
   if (!scan.seen.insert(id).second) throw node.error("there is a vehicle, trip or flow of this id already");
   if (is_over(node, scan.begin)) return false;
   const bool is_flow = node.name == "flow";
-  auto road = unknown_road(node, network);
-  if (road.empty()) road = unknown_road_of_routes(node, scan);
-  if (!road.empty()) {
+  if (const auto road = missing_road(node, network, scan); !road.empty()) {
     const auto reason = fmt::format("the edge '{}' is not in the net", road);
     const auto number = parse_integer<int>(node.value_or("number", ""));
     if (!is_flow || !number) {

@@ -19,11 +19,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The way points of a vehicle: its own, or those of the flow it came from ("flow.3").
+bool by_id(const DroppedVehicle& a, const DroppedVehicle& b) { return a.id < b.id; }
+
+/// The flow that a vehicle or a person came from: "flow.3".
+std::string flow_of(const std::string& id) { return id.substr(0, id.rfind('.')); }
+
+std::unordered_set<std::string> flows_of(const std::unordered_set<std::string>& ids) {
+  std::unordered_set<std::string> flows;
+  for (const auto& id : ids) flows.insert(flow_of(id));
+  return flows;
+}
+
+/// The way points of a vehicle: its own, or those of the flow it came from.
 std::string via_of(const std::string& id, const InputScan& scan) {
   auto found = scan.via.find(id);
   if (found == scan.via.end() && !scan.seen.contains(id)) {
-    found = scan.via.find(id.substr(0, id.rfind('.')));
+    found = scan.via.find(flow_of(id));
   }
   return found == scan.via.end() ? std::string() : found->second;
 }
@@ -79,20 +90,18 @@ std::unordered_set<std::string> write_given(const fs::path& routed, const fs::pa
 /// Those that duarouter has said something of, and that it has not written.
 void note_lost_persons(const std::string& log, const std::unordered_set<std::string>& written,
                        Demand& demand) {
-  std::unordered_set<std::string> alive = written;
-  for (const auto& id : written) alive.insert(id.substr(0, id.rfind('.')));  // a flow's
+  const auto flows = flows_of(written);
   for (const auto& [id, reason] : reasons_of_persons(log)) {
-    if (!alive.contains(id)) demand.lost_persons.push_back({.id = id, .reason = reason});
+    if (!written.contains(id) && !flows.contains(id))
+      demand.lost_persons.push_back({.id = id, .reason = reason});
   }
-  std::sort(demand.lost_persons.begin(), demand.lost_persons.end(),
-            [](const auto& a, const auto& b) { return a.id < b.id; });
+  std::sort(demand.lost_persons.begin(), demand.lost_persons.end(), by_id);
 }
 
 /// The flows without a single vehicle that duarouter has said something of; the others have none to come.
 void note_lost_flows(const InputScan& scan, const std::unordered_set<std::string>& present,
                      const std::unordered_map<std::string, std::string>& reasons, Demand& demand) {
-  std::unordered_set<std::string> alive;
-  for (const auto& id : present) alive.insert(id.substr(0, id.rfind('.')));
+  const auto alive = flows_of(present);
   for (const auto& id : scan.flows) {
     const auto reason = reasons.find(id);
     if (reason == reasons.end() || alive.contains(id)) continue;
@@ -119,7 +128,7 @@ void note_unrouted(const InputScan& scan, const std::string& log, bool is_thinne
   for (const auto& [id, reason] : reasons) {
     if (!present.contains(id) && !scan.seen.contains(id)) of_flows.push_back({.id = id, .reason = reason});
   }
-  std::sort(of_flows.begin(), of_flows.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  std::sort(of_flows.begin(), of_flows.end(), by_id);
   demand.dropped.insert(demand.dropped.end(), of_flows.begin(), of_flows.end());
 }
 

@@ -91,10 +91,7 @@ class IncludingReader {
       : root_(root), each_(each) {}
 
   void read(const fs::path& file) {
-    const fs::path canonical = fs::weakly_canonical(file);
-    verify(std::find(open_.begin(), open_.end(), canonical) == open_.end(),
-           fmt::format("{} includes itself", file.string()));
-    open_.push_back(canonical);
+    chain_.enter(file);
     read_nodes(file, root_, [&](Node& node) {
       if (node.name == "include") {
         read(file.parent_path() / node.require("href"));
@@ -102,13 +99,13 @@ class IncludingReader {
         each_(node, file);
       }
     });
-    open_.pop_back();
+    chain_.leave();
   }
 
  private:
   const std::function<void(const Element&)>& root_;
   const std::function<void(Node&, const fs::path&)>& each_;
-  std::vector<fs::path> open_;  ///< from the first file down to the one at hand
+  IncludeChain chain_;
 };
 
 }  // namespace
@@ -132,6 +129,13 @@ void read_nodes_and_included(const fs::path& file, const std::function<void(cons
 void read_nodes_and_included(const fs::path& file, const std::function<void(Node&, const fs::path&)>& each) {
   read_nodes_and_included(
       file, [](const Element&) {}, each);
+}
+
+void IncludeChain::enter(const fs::path& file) {
+  const fs::path canonical = fs::weakly_canonical(file);
+  verify(std::find(files_.begin(), files_.end(), canonical) == files_.end(),
+         fmt::format("{} includes itself", file.string()));
+  files_.push_back(canonical);
 }
 
 void write_node(Writer& writer, const Node& node) {

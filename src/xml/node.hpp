@@ -43,6 +43,16 @@ void read_nodes_and_included(const std::filesystem::path& file,
 void read_nodes_and_included(const std::filesystem::path& file,
                              const std::function<void(Node&, const std::filesystem::path&)>& each);
 
+/// The files that include one another, from the first down to the one at hand.
+class IncludeChain {
+ public:
+  void enter(const std::filesystem::path& file);  ///< InputError: it is in the chain, so it includes itself
+  void leave() { files_.pop_back(); }
+
+ private:
+  std::vector<std::filesystem::path> files_;
+};
+
 void write_node(Writer& writer, const Node& node);
 
 }  // namespace thalweg::xml

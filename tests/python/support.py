@@ -249,3 +249,17 @@ class RunCase(TestCase):
         run = Run(folder)
         self.assert_accounted(run.summary)
         return run
+
+
+class GridCase(RunCase):
+    """
+        A4 - B4 - C4 - D4 - E4      25 signalised junctions, 150 m apart
+        |    |    |    |    |
+        ..                  ..
+        |    |    |    |    |
+        A0 - B0 - C0 - D0 - E0
+    """
+
+    def setUp(self):
+        self.place = self.folder()
+        self.net = make_grid(self.place)

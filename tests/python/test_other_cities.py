@@ -1,23 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What other people's configurations hold: it must mean here what it means to SUMO alone."""
 import support
-from support import expand, make_grid, on_each, random_trips, read_xml, run_tool, write, write_routes
+from support import expand, on_each, random_trips, read_xml, run_tool, write, write_routes
 
 
 @expand
-class OtherCities(support.RunCase):
-    """
-        A4 - B4 - C4 - D4 - E4      25 signalised junctions, 150 m apart
-        |    |    |    |    |
-        ..                  ..
-        |    |    |    |    |
-        A0 - B0 - C0 - D0 - E0
-    """
-
-    def setUp(self):
-        self.place = self.folder()
-        self.net = make_grid(self.place)
-
+class OtherCities(support.GridCase):
     def city(self, elements, settings="", additional=""):
         """A configuration with this demand, these settings and this additional file."""
         write_routes(self.place / "trips.xml", elements)

@@ -89,19 +89,7 @@ def routes_of(file):
 
 
 @expand
-class SmallGrid(support.RunCase):
-    """
-        A4 - B4 - C4 - D4 - E4      25 signalised junctions, 150 m apart
-        |    |    |    |    |
-        ..                  ..
-        |    |    |    |    |
-        A0 - B0 - C0 - D0 - E0
-    """
-
-    def setUp(self):
-        self.place = self.folder()
-        self.net = make_grid(self.place)
-
+class SmallGrid(support.GridCase):
     def trips(self, elements, name="trips.xml"):
         return write_routes(self.place / name, elements)
 
