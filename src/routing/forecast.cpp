@@ -2,44 +2,15 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 
 #include "core/parallel.hpp"
 #include "routing/foresight.hpp"
 #include "routing/list.hpp"
-#include "search/dijkstra.hpp"
+#include "routing/potentials.hpp"
 #include "search/timed_search.hpp"
 
 namespace thalweg {
 namespace {
-
-/// The free-flow time to a destination from everywhere, for those that were asked for; the potentials of the
-/// searches. The oldest are forgotten when they take too much room.
-class Potentials {
- public:
-  explicit Potentials(std::size_t bytes) : bytes_(bytes) {}
-
-  using Tree = std::vector<Millis>;  // by vertex
-
-  /// Before a batch; what is asked for from here on stays until the next.
-  void begin(std::size_t vertices) {
-    if (trees_.size() * vertices * sizeof(Millis) > bytes_) trees_.clear();
-  }
-  const Tree& to(const Digraph& turns, const std::vector<Millis>& costs, VertexId destination) {
-    auto& entry = trees_[destination];
-    if (entry) return *entry;
-    dijkstra<Direction::backward>(
-        turns, std::span(&destination, 1), [&](ArcId arc) { return costs[arc.value]; }, tree_, scratch_);
-    entry = std::make_unique<Tree>(tree_.label.begin(), tree_.label.end());
-    return *entry;
-  }
-
- private:
-  std::size_t bytes_;
-  std::unordered_map<VertexId, std::unique_ptr<Tree>> trees_;
-  thalweg::Tree tree_;
-  DijkstraScratch scratch_;
-};
 
 /// What a strategy of this kind does beside looking ahead.
 struct Manners {
@@ -54,7 +25,8 @@ class ForecastStrategy : public Strategy {
       : rule_(options.rule),
         manners_(manners),
         memory_(options.memory),
-        scratch_(std::max<std::size_t>(1, options.threads)) {}
+        order_cache_(options.order_cache),
+        workers_(std::max<std::size_t>(1, options.threads)) {}
 
   [[nodiscard]] bool looks_ahead() const override { return true; }
 
@@ -69,18 +41,15 @@ class ForecastStrategy : public Strategy {
               std::vector<Decision>& decisions) override {
     decisions.assign(due.size(), {});
     classes_.resize(traffic.size());
-    for (std::size_t i = 0; i < traffic.size(); ++i) {
-      if (classes_[i].potentials) classes_[i].potentials->begin(traffic[i].graph->turns().vertex_count());
-    }
-    for (const Traveller& traveller : due) prepare(traffic[traveller.vehicle_class], traveller);
+    for (const Traveller& traveller : due) prepare(traffic[traveller.vehicle_class], traveller.vehicle_class);
     // Those of one group do not see each other, whatever the number of threads.
     const std::size_t group = manners_.books ? booking_group : std::max<std::size_t>(1, due.size());
     for (std::size_t first = 0; first < due.size(); first += group) {
       const std::size_t count = std::min(group, due.size() - first);
-      parallel_for(count, scratch_.size(), [&](std::size_t i, std::size_t worker) {
+      parallel_for(count, workers_.size(), [&](std::size_t i, std::size_t worker) {
         const Traveller& traveller = due[first + i];
         decide_one(*traffic[traveller.vehicle_class].graph, classes_[traveller.vehicle_class], traveller,
-                   scratch_[worker], decisions[first + i]);
+                   workers_[worker], decisions[first + i]);
       });
       if (manners_.books)
         book(traffic, due.subspan(first, count), std::span(decisions).subspan(first, count));
@@ -101,8 +70,12 @@ class ForecastStrategy : public Strategy {
 
   struct ClassView {
     std::optional<TimedCosts> costs{};
-    std::unique_ptr<Potentials> potentials{};
+    std::optional<Potentials> potentials{};
     bool is_fresh = false;
+  };
+  struct Worker {
+    TimedScratch search;
+    Potentials::Search left;
   };
   /// A way as it will be driven.
   struct Drive {
@@ -110,16 +83,17 @@ class ForecastStrategy : public Strategy {
     Millis owed = 0;
   };
 
-  void prepare(const ClassTraffic& traffic, const Traveller& traveller) {
-    ClassView& view = classes_[traveller.vehicle_class];
+  void prepare(const ClassTraffic& traffic, std::size_t vehicle_class) {
+    ClassView& view = classes_[vehicle_class];
+    if (view.is_fresh) return;
+    view.is_fresh = true;
     if (!view.costs) {
       view.costs.emplace(foresight_->network(), *traffic.graph);
-      view.potentials = std::make_unique<Potentials>(std::size_t{256} << 20);
+      view.potentials.emplace(traffic.graph->turns(), order_cache_);
     }
-    if (!view.is_fresh) view.costs->refresh(foresight_->expected(), foresight_->forecast_at());
-    view.is_fresh = true;
-    for (const VertexId waypoint : traveller.waypoints)
-      static_cast<void>(view.potentials->to(traffic.graph->turns(), view.costs->free_flow(), waypoint));
+    view.costs->refresh(foresight_->expected(), foresight_->forecast_at());
+    // Places that are given back make roads faster than they were foretold.
+    view.potentials->refresh(manners_.books ? view.costs->free_flow() : view.costs->least(), workers_.size());
   }
 
   /// Its share of what it costs the others that it enters the road at this time.
@@ -195,7 +169,7 @@ class ForecastStrategy : public Strategy {
     return foresight_->driven(costs.road_time(graph.road(road)));
   }
 
-  void decide_one(const RoadGraph& graph, ClassView& view, const Traveller& traveller, TimedScratch& scratch,
+  void decide_one(const RoadGraph& graph, ClassView& view, const Traveller& traveller, Worker& worker,
                   Decision& decision) const {
     const Digraph& turns = graph.turns();
     const TimedCosts& costs = *view.costs;
@@ -213,12 +187,12 @@ class ForecastStrategy : public Strategy {
     Drive best{.arrival = begin};
     VertexId at = traveller.route.front();
     for (const VertexId waypoint : traveller.waypoints) {
-      const auto& left = view.potentials->to(turns, costs.free_flow(), waypoint);
+      view.potentials->start(worker.left, waypoint);
       const auto found = timed_search(
           turns, at, best.arrival, best.owed, waypoint, bound,
           [&](ArcId arc, Millis time) { return costs.arrive(arc, time); },
           [&](VertexId road, Millis time) { return toll(graph, costs, road, time); },
-          [&](VertexId v) { return left[v.value]; }, scratch);
+          [&](VertexId v) { return view.potentials->left(worker.left, v); }, worker.search);
       if (!found || never(found->arrival)) {
         decision.route.clear();  // none at all, or none that the rule would take
         if (old.arrival < infinity) decision.route = traveller.route;
@@ -262,9 +236,10 @@ class ForecastStrategy : public Strategy {
   ChoiceRule rule_;
   Manners manners_;
   const Memory* memory_;
+  OrderCache order_cache_;
   std::optional<Foresight> foresight_;
   std::vector<ClassView> classes_;
-  std::vector<TimedScratch> scratch_;
+  std::vector<Worker> workers_;
 };
 
 }  // namespace

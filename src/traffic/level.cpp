@@ -6,18 +6,16 @@
 
 namespace thalweg {
 
-Level::Level(const Network& network, const LevelOptions& options) : network_(network), options_(options) {}
+Level::Level(const Network& network, const LevelOptions& options)
+    : options_(options), is_internal_(network.roads.size()) {
+  for (std::size_t i = 0; i < network.roads.size(); ++i)
+    is_internal_[RoadId{i}] = network.roads[RoadId{i}].function != RoadFunction::normal;
+}
 
 void Level::Sums::fade(double share) {
   weight *= share;
   free_flow *= share;
   over *= share;
-}
-
-double Level::extra(const Servers& servers, RoadId road) const {
-  const double free_flow = servers.free_flow(road);
-  if (network_.roads[road].function != RoadFunction::normal) return (junction_pace_ - 1) * free_flow;
-  return (pace_ - 1) * free_flow + offsets_[static_cast<std::size_t>(servers.end(road))];
 }
 
 void Level::learn(const Servers& servers, const QueueTable& expected, const MeasuredTimes& measured,
@@ -31,14 +29,14 @@ void Level::learn(const Servers& servers, const QueueTable& expected, const Meas
   const auto clamped = [&](double over) {
     return std::clamp(over, -options_.most_deviation, options_.most_deviation);
   };
-  for (std::size_t i = 0; i < network_.roads.size(); ++i) {
+  for (std::size_t i = 0; i < is_internal_.size(); ++i) {
     const RoadId road{i};
     const Passage passage = measured.passage(road);
     if (passage.traversals < 0.5) continue;
     const double weight = passage.traversals * share;
     const double free_flow = std::max(0.1, servers.free_flow(road));
     const double over = passage.vehicle_seconds / passage.traversals - free_flow;
-    const bool is_normal = network_.roads[road].function == RoadFunction::normal;
+    const bool is_normal = !is_internal_[road];
     Sums& sums = is_normal ? by_end_[static_cast<std::size_t>(servers.end(road))] : junctions_;
     const double seen = clamped(is_normal ? over - expected.wait_after(road, free_flow) : over);
     sums.weight += weight;

@@ -29,7 +29,11 @@ class Level {
   [[nodiscard]] double pace() const { return pace_; }
   [[nodiscard]] double junction_pace() const { return junction_pace_; }
   /// What a road that nobody else is on takes above its free flow, in s; internal ones included.
-  [[nodiscard]] double extra(const Servers& servers, RoadId road) const;
+  [[nodiscard]] double extra(const Servers& servers, RoadId road) const {
+    const double free_flow = servers.free_flow(road);
+    if (is_internal_[road]) return (junction_pace_ - 1) * free_flow;
+    return (pace_ - 1) * free_flow + offsets_[static_cast<std::size_t>(servers.end(road))];
+  }
 
  private:
   /// Sums over roads, each weighted by its traversals.
@@ -41,8 +45,8 @@ class Level {
   };
   void solve();
 
-  const Network& network_;
   LevelOptions options_;
+  IdVector<RoadId, bool> is_internal_;
   std::array<Sums, road_end_count> by_end_{};
   double squares_ = 0;   ///< free flow squared
   double products_ = 0;  ///< free flow x over

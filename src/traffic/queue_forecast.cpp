@@ -12,14 +12,6 @@ constexpr float still_there = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-void QueueForecast::Queue::clear() {
-  movers.clear();
-  head = 0;
-  free_at = -1e9;
-  blocked_since = -1;
-  is_active = false;
-}
-
 QueueForecast::QueueForecast(const Network& network, const Servers& servers, const Discharge& discharge,
                              const ForecastOptions& options)
     : network_(network),
@@ -48,7 +40,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   pace_ = level.pace();
   junction_pace_ = level.junction_pace();
   for (const LaneId lane : used_) {
-    queues_[lane].clear();
+    queues_[lane] = {};
     passed_[lane].clear();
   }
   used_.clear();
@@ -80,7 +72,7 @@ void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now)
   if (vehicle.route.empty()) return;
   if (vehicle.state == FleetVehicle::State::waiting) {
     insertion_[id] = from_seconds(horizon_);  // unless its turn comes
-    add({.route = &vehicle.route, .position = 0, .vehicle = id},
+    add({.road = &vehicle.route.front(), .last = &vehicle.route.back(), .vehicle = id},
         std::max(0.0, to_seconds(vehicle.depart) - now), Kind::departs);
     return;
   }
@@ -99,8 +91,8 @@ void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now)
   }
   ++occupancy_[vehicle.route[position]];
   leaving_[id] = {.road = vehicle.route[position], .time = from_seconds(horizon_)};
-  add({.route = &vehicle.route,
-       .position = static_cast<std::uint32_t>(position),
+  add({.road = &vehicle.route[position],
+       .last = &vehicle.route.back(),
        .preferred = preferred,
        .vehicle = id},
       time, Kind::reaches_end);
@@ -116,7 +108,8 @@ void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
   auto next = std::upper_bound(expected_.begin(), expected_.end(), known_until,
                                [](Millis time, const Departure& departure) { return time < departure.time; });
   for (; next != expected_.end() && to_seconds(next->time - now) <= horizon_; ++next)
-    add({.route = &next->route, .position = 0}, to_seconds(next->time - now), Kind::departs);
+    add({.road = &next->route.front(), .last = &next->route.back()}, to_seconds(next->time - now),
+        Kind::departs);
 }
 
 void QueueForecast::repeat_departures(Millis known_until, Millis now) {
@@ -125,7 +118,8 @@ void QueueForecast::repeat_departures(Millis known_until, Millis now) {
     for (Millis time = departure.time + options_.repeated; to_seconds(time - now) <= horizon_;
          time += options_.repeated) {
       if (time > known_until)
-        add({.route = &departure.route, .position = 0}, to_seconds(time - now), Kind::departs);
+        add({.road = &departure.route.front(), .last = &departure.route.back()}, to_seconds(time - now),
+            Kind::departs);
     }
   }
 }
@@ -164,7 +158,7 @@ void QueueForecast::handle(const Event& event) {
 
 void QueueForecast::depart(const Event& event) {
   Mover& mover = movers_[event.subject];
-  const RoadId road = mover.route->front();
+  const RoadId road = *mover.road;
   if (occupancy_[road] >= servers_.storage(road) * options_.full)
     return push(event.time + options_.insertion_retry, Kind::departs, event.subject);
   if (!mover.has_turn) {
@@ -181,9 +175,8 @@ void QueueForecast::depart(const Event& event) {
 
 void QueueForecast::reach_end(const Event& event) {
   Mover& mover = movers_[event.subject];
-  const RoadId road = (*mover.route)[mover.position];
-  const bool is_last = mover.position + 1 >= mover.route->size();
-  mover.movement = is_last ? MovementId{} : servers_.find(road, (*mover.route)[mover.position + 1]);
+  const RoadId road = *mover.road;
+  mover.movement = mover.road == mover.last ? MovementId{} : servers_.find(road, mover.road[1]);
   if (!mover.movement.valid()) {  // arrived, or its route is not what SUMO drives
     if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
     --occupancy_[road];
@@ -191,7 +184,7 @@ void QueueForecast::reach_end(const Event& event) {
   }
   const auto lanes = servers_.lanes(mover.movement);
   LaneId shortest = lanes.front();
-  const auto length = [&](LaneId lane) { return queues_[lane].movers.size() - queues_[lane].head; };
+  const auto length = [&](LaneId lane) { return passed_[lane].size() - queues_[lane].head; };
   for (const LaneId lane : lanes) {
     if (length(lane) < length(shortest)) shortest = lane;
   }
@@ -199,18 +192,16 @@ void QueueForecast::reach_end(const Event& event) {
     if (lane == mover.preferred) shortest = lane;  // where it is already
   }
   mover.preferred = {};
-  mover.arrived = static_cast<float>(event.time);
-  Queue& queue = queues_[shortest];
-  if (queue.movers.empty()) used_.push_back(shortest);
-  queue.movers.push_back(event.subject);
-  passed_[shortest].push_back({.arrived = mover.arrived, .left = still_there});
-  if (!queue.is_active) schedule_head(shortest);
+  std::vector<Passed>& passed = passed_[shortest];
+  if (passed.empty()) used_.push_back(shortest);
+  passed.push_back({.arrived = static_cast<float>(event.time), .left = still_there, .mover = event.subject});
+  if (!queues_[shortest].is_active) schedule_head(shortest);
 }
 
 void QueueForecast::schedule_head(LaneId lane) {
   Queue& queue = queues_[lane];
-  const Mover& mover = movers_[queue.movers[queue.head]];
-  const double ready = mover.arrived + servers_[mover.movement].delay;
+  const Passed& first = passed_[lane][queue.head];
+  const double ready = first.arrived + servers_[movers_[first.mover].movement].delay;
   push(std::max(ready, queue.free_at), Kind::leaves, lane.value);
   queue.is_active = true;
 }
@@ -218,8 +209,8 @@ void QueueForecast::schedule_head(LaneId lane) {
 void QueueForecast::leave(const Event& event) {
   const LaneId lane{event.subject};
   Queue& queue = queues_[lane];
-  const std::uint32_t subject = queue.movers[queue.head];
-  Mover& mover = movers_[subject];
+  Passed& passed = passed_[lane][queue.head];
+  Mover& mover = movers_[passed.mover];
   const Movement& movement = servers_[mover.movement];
   const RoadId next = movement.to;
   if (occupancy_[next] >= servers_.storage(next)) {  // the queue ahead has come back to here
@@ -230,15 +221,15 @@ void QueueForecast::leave(const Event& event) {
   queue.blocked_since = -1;
   if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
   mover.vehicle = {};
-  passed_[lane][queue.head].left = static_cast<float>(event.time);
+  passed.left = static_cast<float>(event.time);
   ++queue.head;
   queue.is_active = false;
   queue.free_at = event.time + movement.headway * discharge_.factor(lane);
   --occupancy_[movement.from];
   ++occupancy_[next];
-  ++mover.position;
-  push(event.time + junction_pace_ * movement.through + crossing(next), Kind::reaches_end, subject);
-  if (queue.head < queue.movers.size()) schedule_head(lane);
+  ++mover.road;
+  push(event.time + junction_pace_ * movement.through + crossing(next), Kind::reaches_end, passed.mover);
+  if (queue.head < passed_[lane].size()) schedule_head(lane);
 }
 
 }  // namespace thalweg

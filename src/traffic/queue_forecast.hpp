@@ -63,21 +63,19 @@ class QueueForecast {
  private:
   /// A vehicle of the forecast: a real one, or one that is assumed.
   struct Mover {
-    const std::vector<RoadId>* route;
-    std::uint32_t position = 0;
+    const RoadId* road;  ///< of its route
+    const RoadId* last;  ///< the route's last road
     MovementId movement{};
     LaneId preferred{};
-    float arrived = 0;      ///< s from now: at the end of its road
-    bool has_turn = false;  ///< of insertion
     VehicleId vehicle{};    ///< a real one, until it is inserted or leaves the road it was on
+    bool has_turn = false;  ///< of insertion
   };
+  /// Of a lane; the vehicles in it and those that left it are its `passed_`.
   struct Queue {
-    std::vector<std::uint32_t> movers;
     std::size_t head = 0;
     double free_at = -1e9;      ///< s from now: the server is done with the last
     double blocked_since = -1;  ///< s from now; below 0: it is not
     bool is_active = false;
-    void clear();
   };
   static constexpr std::uint32_t none = 0xffffffff;
   static constexpr double ticks_a_second = 10;

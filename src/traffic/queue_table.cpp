@@ -2,6 +2,7 @@
 #include "traffic/queue_table.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace thalweg {
 namespace {
@@ -29,6 +30,7 @@ QueueTable::QueueTable(const Network& network, Millis bin, std::size_t bins, boo
       toll_(with_tolls ? network.roads.size() * bins : 0, 0.0F),
       headway_(network.roads.size(), 0),
       delay_(network.roads.size(), 0),
+      is_empty_(network.roads.size(), true),
       lane_{.wait = std::vector<float>(bins), .toll = std::vector<float>(bins)} {}
 
 void QueueTable::tabulate(const Servers& servers, const Discharge& discharge,
@@ -55,7 +57,10 @@ void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharg
     total += passed[lane].size();
   }
   headway_[road] = rate > 0 ? 1 / rate : 0;
-  delay_[road] = lone_wait(servers, road);
+  const double before = std::exchange(delay_[road], lone_wait(servers, road));
+  const bool was_empty = is_empty_[road];
+  is_empty_[road] = total == 0;
+  if (total == 0 && was_empty && delay_[road] == before) return;  // most roads of a large net at night
   std::fill(waits.begin(), waits.end(), total == 0 ? static_cast<float>(delay_[road]) : 0.0F);
   std::fill(tolls.begin(), tolls.end(), 0.0F);
   std::fill(arrivals.begin(), arrivals.end(), 0.0F);

@@ -16,7 +16,8 @@ namespace thalweg {
 /// One that queued at the end of a lane, in s from the forecast on.
 struct Passed {
   float arrived;
-  float left;  ///< infinity: still there at the horizon
+  float left;               ///< infinity: still there at the horizon
+  std::uint32_t mover = 0;  ///< who, by the forecast's numbers; nothing to the table
 };
 
 /// What a forecast says of the end of each road, by the time of reaching it: `bins` rows of `bin` from its
@@ -70,9 +71,10 @@ class QueueTable {
   std::vector<float> arrivals_;
   std::vector<float> toll_;  ///< empty: not asked for
   IdVector<RoadId, double> headway_;
-  IdVector<RoadId, double> delay_;  ///< s that the first one waits
-  LaneRows lane_;                   ///< scratch: of one lane
-  std::vector<int> waiting_;        ///< scratch: from each on, how many in a row wait for the one before
+  IdVector<RoadId, double> delay_;   ///< s that the first one waits
+  IdVector<RoadId, bool> is_empty_;  ///< its rows are those of a road that nobody reached the end of
+  LaneRows lane_;                    ///< scratch: of one lane
+  std::vector<int> waiting_;         ///< scratch: from each on, how many in a row wait for the one before
 };
 
 }  // namespace thalweg

@@ -19,6 +19,7 @@ void TimedCosts::refresh(const Expectation& expected, Millis now) {
   nodes_ = expected.forecast.bins();
   horizon_ = bin_ * static_cast<Millis>(nodes_ - 1);
   costs_.resize(free_flow_.size() * nodes_);
+  least_.resize(free_flow_.size());
   to_end_.resize(graph_.turns().vertex_count());
   delay_.resize(nodes_);
   fading_.resize(nodes_);
@@ -49,26 +50,30 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
     return;
   }
   const Residuals& residuals = expected.residuals;
-  const double bin = to_seconds(bin_);
+  const double passing_here = residuals.passing(road);
   const double extra =
       slower_[road.value] + expected.level.extra(expected.servers, road) + residuals.lasting(road);
-  const double crossing = to_seconds(road_times_[road]) + extra;
-  for (std::size_t b = 0; b < nodes_; ++b) {  // of the road that is left: one computation for all its turns
-    // Waits stand for the middles of their bins.
-    const double at =
-        std::clamp(static_cast<double>(b) + crossing / bin - 0.5, 0.0, static_cast<double>(nodes_ - 1));
-    const auto left = static_cast<std::size_t>(at);
-    const std::size_t right = std::min(left + 1, nodes_ - 1);
-    const double share = at - static_cast<double>(left);
-    const double wait =
-        expected.bookings.wait(road, left) * (1 - share) + expected.bookings.wait(road, right) * share;
-    delay_[b] = extra + wait + residuals.passing(road) * fading_[b];
+  // Of the road that is left: one computation for all its turns. Waits stand for the middles of their bins.
+  const double later = (to_seconds(road_times_[road]) + extra) / to_seconds(bin_) - 0.5;  // in bins
+  const double share = later - std::floor(later);
+  const auto last = static_cast<std::ptrdiff_t>(nodes_) - 1;
+  const auto wait = [&](std::ptrdiff_t b) {
+    return static_cast<double>(
+        expected.bookings.wait(road, static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(b, 0, last))));
+  };
+  auto left = static_cast<std::ptrdiff_t>(std::min(std::floor(later), static_cast<double>(last)));
+  double at_left = wait(left);
+  for (std::size_t b = 0; b < nodes_; ++b) {
+    const double at_right = wait(++left);
+    delay_[b] = extra + at_left * (1 - share) + at_right * share + passing_here * fading_[b];
+    at_left = at_right;
   }
   to_end_[v.value] = road_times_[road] + from_seconds(delay_[0]);
   for (const Arc& arc : out) {
     std::int32_t* cost = costs_.data() + arc.id.value * nodes_;
     if (is_closed_[arc.id.value]) {
       std::fill_n(cost, nodes_, static_cast<std::int32_t>(closed));
+      least_[arc.id.value] = infinity;
       continue;
     }
     double passing = 0;
@@ -77,12 +82,14 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
       passing += residuals.passing(internal);
       lasting += expected.level.extra(expected.servers, internal) + residuals.lasting(internal);
     }
-    const Millis least = std::min<Millis>(free_flow_[arc.id.value], closed);
+    const auto free_flow = static_cast<std::int32_t>(std::min<Millis>(free_flow_[arc.id.value], closed));
     for (std::size_t b = 0; b < nodes_; ++b) {
       const double delay = std::clamp(delay_[b] + lasting + passing * fading_[b], 0.0, 100'000.0);
-      const auto value = static_cast<std::int32_t>(least + static_cast<Millis>(delay * 1000));
-      cost[b] = b == 0 ? value : std::max(value, cost[b - 1] - static_cast<std::int32_t>(bin_));
+      cost[b] = free_flow + static_cast<std::int32_t>(delay * 1000);
     }
+    const auto bin = static_cast<std::int32_t>(bin_);
+    for (std::size_t b = 1; b < nodes_; ++b) cost[b] = std::max(cost[b], cost[b - 1] - bin);
+    least_[arc.id.value] = *std::min_element(cost, cost + nodes_);
   }
 }
 

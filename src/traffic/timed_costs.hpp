@@ -47,6 +47,9 @@ class TimedCosts {
   }
   /// Nobody in the way: never above what `arrive` takes. By turn.
   [[nodiscard]] const std::vector<Millis>& free_flow() const { return free_flow_; }
+  /// What each takes at the best time there is; infinity when it is closed. Bookings since the last refresh
+  /// as a whole do not count.
+  [[nodiscard]] const std::vector<Millis>& least() const { return least_; }
   /// From entering the road at the forecast's moment to its end; the turns there come on top.
   [[nodiscard]] Millis to_end(VertexId road) const { return to_end_[road.value]; }
   /// To cross the road itself.
@@ -63,6 +66,7 @@ class TimedCosts {
   Millis bin_ = 1;
   Millis horizon_ = 0;
   std::size_t nodes_ = 1;
+  std::vector<Millis> least_;        ///< by turn
   std::vector<std::int32_t> costs_;  ///< ms, by turn and bin
   std::vector<Millis> to_end_;       ///< by road
   std::vector<double> fading_;       ///< of passing residuals, by bin

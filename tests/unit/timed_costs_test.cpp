@@ -59,8 +59,10 @@ TEST_F(TimedCostsTest, FollowTheQueueAndNobodyPasses) {
     const Millis arrival = costs.arrive(turn("AB"), time);
     EXPECT_GE(arrival, last) << time;
     EXPECT_GE(arrival, time + 30'000);
+    EXPECT_GE(arrival, time + costs.least()[turn("AB").value]);
     last = arrival;
   }
+  EXPECT_EQ(costs.least()[turn("AB").value], 30'000) << "when the queue has gone";
 }
 
 // Five more come into that queue: who enters AB now waits for them as well, 2 s each.
@@ -107,11 +109,13 @@ TEST_F(TimedCostsTest, KnowWhatIsClosedAndWhatIsSlow) {
   conditions.advance(0);
   refresh(driven, conditions);
   EXPECT_GE(costs.arrive(turn("AB"), 0), TimedCosts::closed);
+  EXPECT_EQ(costs.least()[turn("AB").value], infinity);
   EXPECT_EQ(costs.arrive(turn("BC"), 0), 30'000) << "who is there may leave";
   conditions.advance(10'000);
   refresh(driven, conditions, 10'000);
   EXPECT_EQ(costs.arrive(turn("AB"), 10'000), 40'000);
   EXPECT_EQ(costs.arrive(turn("BC"), 10'000), 160'000) << "300 m at 2 m/s";
+  EXPECT_EQ(costs.least()[turn("BC").value], 150'000) << "nobody will find it faster";
 }
 
 }  // namespace
