@@ -82,9 +82,12 @@ bool has_route(const xml::Node& node) {
 /// False: the vehicle, trip or flow is to be left out.
 bool note(xml::Node& node, const Network& network, InputScan& scan) {
   const std::string& id = node.require("id");
-  if (!scan.seen.insert(id).second) throw node.error("there is a vehicle, trip or flow of this id already");
-  if (is_over(node, scan.begin)) return false;
   const bool is_flow = node.name == "flow";
+  if (!(is_flow ? scan.seen_flows : scan.seen).insert(id).second) {
+    throw node.error(is_flow ? "there is a flow of this id already"
+                             : "there is a vehicle or trip of this id already");
+  }
+  if (is_over(node, scan.begin)) return false;
   if (const auto road = missing_road(node, network, scan); !road.empty()) {
     const auto reason = fmt::format("the edge '{}' is not in the net", road);
     const auto number = parse_integer<int>(node.value_or("number", ""));
@@ -96,7 +99,7 @@ bool note(xml::Node& node, const Network& network, InputScan& scan) {
     }
     return false;
   }
-  if (const std::string* via = node.find("via")) scan.via.emplace(id, *via);
+  if (const std::string* via = node.find("via")) (is_flow ? scan.via_of_flows : scan.via).emplace(id, *via);
   (is_flow ? scan.flows : scan.ids).push_back(id);
   if (is_flow && node.find("end") == nullptr && node.find("number") == nullptr) scan.has_open_flows = true;
   if (has_route(node)) scan.has_given_routes = true;

@@ -15,14 +15,17 @@ namespace thalweg {
 /// What the user's demand files say of themselves, before anything is routed.
 struct InputScan {
   Millis begin = 0;  ///< given: who departs before it is not in this simulation, as in SUMO
-  std::unordered_map<std::string, std::string> via;  ///< by id of the vehicle, trip or flow
-  std::vector<std::string> ids;                      ///< of vehicles and trips, in order; flows are not in it
-  std::vector<std::string> flows;                    ///< their ids, in order
+  std::unordered_map<std::string, std::string> via;           ///< by id of the vehicle or trip
+  std::unordered_map<std::string, std::string> via_of_flows;  ///< by id of the flow
+  std::vector<std::string> ids;    ///< of vehicles and trips, in order; flows are not in it
+  std::vector<std::string> flows;  ///< their ids, in order
   std::unordered_map<std::string, std::string> broken_routes;  ///< by id: the first road that the net has not
   std::vector<DroppedVehicle> dropped;   ///< name a road that the net has not: duarouter would cut them short
   bool has_given_routes = false;         ///< some vehicle brings its route along
   bool has_open_flows = false;           ///< some flow has neither an end nor a number
-  std::unordered_set<std::string> seen;  ///< all ids, to find double ones
+  std::unordered_set<std::string> seen;  ///< ids of all vehicles and trips, to find double ones
+  /// The same of flows: theirs may be those of vehicles, as in SUMO.
+  std::unordered_set<std::string> seen_flows;
 };
 
 /// Copies what a route file or an additional file holds of demand to `copy` (a route file), without the

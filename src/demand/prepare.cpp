@@ -32,11 +32,10 @@ std::unordered_set<std::string> flows_of(const std::unordered_set<std::string>& 
 
 /// The way points of a vehicle: its own, or those of the flow it came from.
 std::string via_of(const std::string& id, const InputScan& scan) {
-  auto found = scan.via.find(id);
-  if (found == scan.via.end() && !scan.seen.contains(id)) {
-    found = scan.via.find(flow_of(id));
-  }
-  return found == scan.via.end() ? std::string() : found->second;
+  const bool is_own = scan.seen.contains(id);
+  const auto& vias = is_own ? scan.via : scan.via_of_flows;
+  const auto found = vias.find(is_own ? id : flow_of(id));
+  return found == vias.end() ? std::string() : found->second;
 }
 
 /// The arms' file of vehicles: types in front (without those of additional files, which SUMO reads itself),
@@ -101,7 +100,10 @@ void note_lost_persons(const std::string& log, const std::unordered_set<std::str
 /// The flows without a single vehicle that duarouter has said something of; the others have none to come.
 void note_lost_flows(const InputScan& scan, const std::unordered_set<std::string>& present,
                      const std::unordered_map<std::string, std::string>& reasons, Demand& demand) {
-  const auto alive = flows_of(present);
+  std::unordered_set<std::string> alive;
+  for (const auto& id : present) {
+    if (!scan.seen.contains(id)) alive.insert(flow_of(id));
+  }
   for (const auto& id : scan.flows) {
     const auto reason = reasons.find(id);
     if (reason == reasons.end() || alive.contains(id)) continue;
@@ -126,7 +128,8 @@ void note_unrouted(const InputScan& scan, const std::string& log, bool is_thinne
   note_lost_flows(scan, present, reasons, demand);
   std::vector<DroppedVehicle> of_flows;
   for (const auto& [id, reason] : reasons) {
-    if (!present.contains(id) && !scan.seen.contains(id)) of_flows.push_back({.id = id, .reason = reason});
+    if (!present.contains(id) && !scan.seen.contains(id) && !scan.seen_flows.contains(id))
+      of_flows.push_back({.id = id, .reason = reason});
   }
   std::sort(of_flows.begin(), of_flows.end(), by_id);
   demand.dropped.insert(demand.dropped.end(), of_flows.begin(), of_flows.end());
@@ -235,7 +238,8 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   };
   scan_all("additional-files", true);
   scan_all("route-files", false);
-  verify(!scan.seen.empty(), "the configuration has no demand: no vehicle, trip or flow in its files");
+  verify(!scan.seen.empty() || !scan.seen_flows.empty(),
+         "the configuration has no demand: no vehicle, trip or flow in its files");
   verify(!scan.ids.empty() || !scan.flows.empty() || !scan.dropped.empty(),
          fmt::format("nothing is left of the demand: all departs before the begin ({} s)",
                      format_seconds(scan.begin)));

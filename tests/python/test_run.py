@@ -159,6 +159,17 @@ class SmallGrid(support.GridCase):
             of_via = {d.get("vehicle") for d in run.decisions() if d.get("changed") == "true"}
             self.assertTrue(any(vehicle.startswith("v") for vehicle in of_via), "nobody with via was re-routed")
 
+    def test_a_flow_of_a_trips_id(self):
+        """SUMO takes both; each has its own way points."""
+        ends = 'from="A0B0" to="D4E4"'
+        run = self.drive([f'<trip id="7" depart="0" {ends} via="B4C4"/>',
+                          f'<flow id="7" begin="0" end="40" number="4" {ends} via="D1D0"/>'])
+        routes = run.routes()
+        self.assertEqual(set(routes), {"7", "7.0", "7.1", "7.2", "7.3"})
+        self.assertIn("B4C4", routes.pop("7"))
+        for vehicle, route in routes.items():
+            self.assertIn("D1D0", route, vehicle)
+
     @on_each(("hybrid", "evolved", "forecast", "device"))
     def test_stops(self, strategy):
         """Who has stops makes them all, in their order."""

@@ -6,6 +6,7 @@
 
 #include "demand/vehicle_file.hpp"
 #include "support/ascii_network.hpp"
+#include "support/input_error.hpp"
 #include "support/temporary_folder.hpp"
 #include "xml/node.hpp"
 
@@ -72,6 +73,18 @@ TEST_F(Scan, WhoIsOverBeforeTheBeginIsInNoSimulation) {
   EXPECT_EQ(scan.flows, (std::vector<std::string>{"on", "regular"}));
   EXPECT_EQ(copy.at(3).value_or("begin", ""), "100.00") << "duarouter does not return from it otherwise";
   EXPECT_EQ(copy.at(4).value_or("begin", ""), "0") << "its vehicles depart by its own clock";
+}
+
+TEST_F(Scan, AFlowMayHaveTheIdOfAVehicle) {
+  const std::string trip = R"(<trip id="7" from="AB" to="BC" depart="0" via="AB"/>)";
+  const std::string flow = R"(<flow id="7" from="AB" to="BC" begin="0" end="9" number="2" via="BC"/>)";
+  EXPECT_EQ(left_of(trip + flow), "7 7") << "SUMO names the flow's vehicles 7.0 and 7.1";
+  EXPECT_EQ(scan.via.at("7"), "AB");
+  EXPECT_EQ(scan.via_of_flows.at("7"), "BC");
+  EXPECT_NE(input_error([&] { left_of(trip); }).find("<trip id='7'>: there is a vehicle or trip of this id"),
+            std::string::npos);
+  EXPECT_NE(input_error([&] { left_of(flow); }).find("<flow id='7'>: there is a flow of this id already"),
+            std::string::npos);
 }
 
 TEST_F(Scan, TypesOfIncludedFilesAreFound) {
