@@ -72,6 +72,14 @@ bool is_over(xml::Node& node, Millis begin) {
   return false;
 }
 
+/// A flow of vehicles, persons or containers that does not say when it ends does so with the simulation, as
+/// in SUMO. (duarouter's `--end` would leave out the vehicles that are due later, too.)
+void close_flow(xml::Node& node, Millis end) {
+  const bool is_flow = node.name == "flow" || node.name == "personFlow" || node.name == "containerFlow";
+  if (is_flow && end >= 0 && node.find("end") == nullptr && node.find("number") == nullptr)
+    node.set("end", format_seconds(end));
+}
+
 bool has_route(const xml::Node& node) {
   return node.find("route") != nullptr ||
          std::any_of(node.children.begin(), node.children.end(), [](const xml::Node& child) {
@@ -101,7 +109,6 @@ bool note(xml::Node& node, const Network& network, InputScan& scan) {
   }
   if (const std::string* via = node.find("via")) (is_flow ? scan.via_of_flows : scan.via).emplace(id, *via);
   (is_flow ? scan.flows : scan.ids).push_back(id);
-  if (is_flow && node.find("end") == nullptr && node.find("number") == nullptr) scan.has_open_flows = true;
   if (has_route(node)) scan.has_given_routes = true;
   return true;
 }
@@ -123,6 +130,7 @@ bool scan_into(xml::Writer& writer, const std::filesystem::path& file, const Net
         const bool is_demand = is_demand_element(node.name);
         if (is_additional && !is_demand) return;  // duarouter reads the rest of the additional file itself
         found = found || is_demand;
+        close_flow(node, scan.end);
         const bool is_vehicle = node.name == "vehicle" || node.name == "trip" || node.name == "flow";
         if (!is_vehicle || note(node, network, scan)) write_node(writer, node);
       });

@@ -15,6 +15,7 @@ namespace thalweg {
 /// What the user's demand files say of themselves, before anything is routed.
 struct InputScan {
   Millis begin = 0;  ///< given: who departs before it is not in this simulation, as in SUMO
+  Millis end = -1;   ///< given: flows with neither an end nor a number end here; below 0: nowhere
   std::unordered_map<std::string, std::string> via;           ///< by id of the vehicle or trip
   std::unordered_map<std::string, std::string> via_of_flows;  ///< by id of the flow
   std::vector<std::string> ids;    ///< of vehicles and trips, in order; flows are not in it
@@ -22,7 +23,6 @@ struct InputScan {
   std::unordered_map<std::string, std::string> broken_routes;  ///< by id: the first road that the net has not
   std::vector<DroppedVehicle> dropped;   ///< name a road that the net has not: duarouter would cut them short
   bool has_given_routes = false;         ///< some vehicle brings its route along
-  bool has_open_flows = false;           ///< some flow has neither an end nor a number
   std::unordered_set<std::string> seen;  ///< ids of all vehicles and trips, to find double ones
   /// The same of flows: theirs may be those of vehicles, as in SUMO.
   std::unordered_set<std::string> seen_flows;

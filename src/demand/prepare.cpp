@@ -225,6 +225,7 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   Settings routing = for_duarouter(settings, scratch);
   InputScan scan;
   scan.begin = parse_time(routing.find("begin").value_or("0")).value_or(0);
+  scan.end = parse_time(routing.find("end").value_or("-1")).value_or(-1);
   TypeClasses other_types;  // of additional files
   std::string inputs;
   int number = 0;
@@ -247,10 +248,8 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   Demand demand;
   const fs::path routed = files.folder / "routed.xml";
   const fs::path types = files.folder / "types.xml";
-  std::vector<std::string> more{"--vtype-output", types.string()};
-  if (const auto end = settings.find("end"); end && scan.has_open_flows)
-    more.insert(more.end(), {"--end", *end});
-  const std::string log = Duarouter(routing, sumo, files.folder, stop).route(inputs, routed, more);
+  const std::string log =
+      Duarouter(routing, sumo, files.folder, stop).route(inputs, routed, {"--vtype-output", types.string()});
   demand.dropped = scan.dropped;
   const auto persons = write_given(routed, types, other_types, scan, network, files, header, demand);
   note_lost_persons(log, persons, demand);

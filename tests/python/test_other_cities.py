@@ -50,6 +50,15 @@ class OtherCities(support.GridCase):
         for reason in dropped.values():
             self.assertRegex(reason, "junction 'A0' not known .* Set option '--junction-taz'")
 
+    def test_flows_without_an_end(self):
+        """They end with the simulation; who is due after it is no loss of the router's."""
+        ends = 'from="A0A1" to="C4C3"'
+        file = self.city([f'<flow id="open" begin="0" period="10" {ends}/>', f'<trip id="late" depart="500" {ends}/>'],
+                         '<end value="100"/>')
+        run = self.run_city("-c", file)
+        parts = tuple(run.summary[part] for part in ("vehicles", "dropped", "not_loaded"))
+        self.assertEqual(parts, (11, 0, 1))
+
     def test_persons_that_cannot_be_routed_are_named(self):
         """They are no vehicles, so the table does not count them; who stays in is not named."""
         file = self.city(['<trip id="u" depart="0" from="A0A1" to="C4C3"/>',

@@ -75,6 +75,19 @@ TEST_F(Scan, WhoIsOverBeforeTheBeginIsInNoSimulation) {
   EXPECT_EQ(copy.at(4).value_or("begin", ""), "0") << "its vehicles depart by its own clock";
 }
 
+TEST_F(Scan, AFlowWithoutAnEndEndsWithTheSimulation) {
+  scan.end = 300'000;
+  EXPECT_EQ(left_of(R"(
+<flow id="open" from="AB" to="BC" begin="0" period="9"/><flow id="counted" from="AB" to="BC" begin="0" number="2"/>
+<flow id="ends" from="AB" to="BC" begin="0" end="400" period="9"/>
+<personFlow id="walkers" begin="0" period="9"><walk from="AB" to="BC"/></personFlow>)"),
+            "open counted ends walkers");
+  EXPECT_EQ(copy.at(0).value_or("end", ""), "300.00");
+  EXPECT_EQ(copy.at(1).value_or("end", "none"), "none");
+  EXPECT_EQ(copy.at(2).value_or("end", ""), "400");
+  EXPECT_EQ(copy.at(3).value_or("end", ""), "300.00");
+}
+
 TEST_F(Scan, AFlowMayHaveTheIdOfAVehicle) {
   const std::string trip = R"(<trip id="7" from="AB" to="BC" depart="0" via="AB"/>)";
   const std::string flow = R"(<flow id="7" from="AB" to="BC" begin="0" end="9" number="2" via="BC"/>)";
