@@ -175,6 +175,16 @@ class SmallGrid(support.GridCase):
             changed = {d.get("vehicle") for d in run.decisions() if d.get("changed") == "true"}
             self.assertTrue(any(vehicle.startswith("s") for vehicle in changed), "nobody with stops was re-routed")
 
+    @on_each(("device", "evolved", "forecast"))
+    def test_a_loop_is_cut_as_by_sumo(self, strategy):
+        """Round the block and on: SUMO's device drives on at once, unless there is a stop on the way; so do we."""
+        loop = '<route edges="A0A1 A1B1 B1B0 B0A0 A0A1 A1A2 A2A3"/>'
+        run = self.drive([f'<vehicle id="round" depart="0">{loop}</vehicle>',
+                          f'<vehicle id="stops" depart="60">{loop}<stop edge="B1B0" duration="5"/></vehicle>'],
+                         "--strategy", strategy)
+        self.assertEqual(run.routes()["round"], ["A0A1", "A1A2", "A2A3"])
+        self.assertEqual(run.routes()["stops"], ["A0A1", "A1B1", "B1B0", "B0A0", "A0A1", "A1A2", "A2A3"])
+
     def test_buses_are_left_alone(self):
         bus = '<vType id="bus" vClass="bus"/>'
         route = "A0B0 B0C0 C0D0 D0D1 D1D2 D2C2 C2C3 C3C4"
