@@ -173,6 +173,8 @@ Project load_project(Options& options, const std::function<void(const SumoOption
   const Stage stage(prepared ? "Reading the prepared demand" : "Preparing the demand");
   project.demand = prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
                             : prepare(options, project);
+  if (project.demand.vehicles.empty() && !prepared)
+    warn("the demand has no vehicles: there is nobody for Thalweg to re-route");
   const auto& lost = project.demand.lost_persons;
   if (!lost.empty() && !prepared) {
     warn(told("person(s) or container(s) cannot be routed and are left out", lost, project.demand_files));

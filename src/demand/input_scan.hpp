@@ -22,6 +22,7 @@ struct InputScan {
   std::vector<DroppedVehicle> dropped;   ///< name a road that the net has not: duarouter would cut them short
   bool has_given_routes = false;         ///< some vehicle brings its route along
   bool has_open_flows = false;           ///< some flow has neither an end nor a number
+  bool has_others = false;               ///< persons, containers, or calibrators, who insert vehicles
   std::unordered_set<std::string> seen;  ///< all ids, to find double ones
 };
 

@@ -201,6 +201,24 @@ Settings for_duarouter(const Settings& settings, const fs::path& scratch) {
   return rest;
 }
 
+/// InputError: there is nobody to simulate.
+void verify_vehicles(const InputScan& scan) {
+  verify(!scan.seen.empty(),
+         "the configuration has no demand: no vehicle, trip, flow, person, container or calibrator in its "
+         "files");
+  verify(!scan.ids.empty() || !scan.flows.empty() || !scan.dropped.empty(),
+         fmt::format("nothing is left of the demand: all departs before the begin ({} s)",
+                     format_seconds(scan.begin)));
+}
+
+/// A file of no demand: duarouter must have one.
+std::string write_nothing(const fs::path& file) {
+  xml::Writer writer(file, "no demand");
+  writer.open("routes");
+  writer.commit();
+  return file.string();
+}
+
 void write_dropped(const DemandFiles& files, std::string_view header, const Demand& demand) {
   xml::Writer writer(files.dropped(), fmt::format("vehicles left out of every arm, and why; {}", header));
   writer.open("dropped");
@@ -235,10 +253,9 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   };
   scan_all("additional-files", true);
   scan_all("route-files", false);
-  verify(!scan.seen.empty(), "the configuration has no demand: no vehicle, trip or flow in its files");
-  verify(!scan.ids.empty() || !scan.flows.empty() || !scan.dropped.empty(),
-         fmt::format("nothing is left of the demand: all departs before the begin ({} s)",
-                     format_seconds(scan.begin)));
+  const bool has_others = scan.has_others || settings.find("load-state");
+  if (!has_others) verify_vehicles(scan);
+  if (inputs.empty()) inputs = write_nothing(files.folder / fmt::format("input.{}.xml", number++));
 
   Demand demand;
   const fs::path routed = files.folder / "routed.xml";
@@ -260,7 +277,7 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   }
   fs::remove_all(scratch);
   write_dropped(files, header, demand);
-  verify(!demand.vehicles.empty(),
+  verify(!demand.vehicles.empty() || (has_others && demand.dropped.empty()),
          fmt::format("nothing is left of the demand: no vehicle can be routed; {} tells why",
                      files.dropped().string()));
   for (int i = 0; i < number; ++i) fs::remove(files.folder / fmt::format("input.{}.xml", i));

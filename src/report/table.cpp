@@ -184,7 +184,10 @@ void print_warnings(const Comparison& comparison, const Labels& labels, std::str
   }
   if (const auto arms = arms_with(comparison, labels, [](const RunSummary& run) { return run.unknown; });
       !arms.empty()) {
-    warnings.push_back(fmt::format("Vehicles that the demand does not know were left out ({} a run).", arms));
+    warnings.push_back(
+        fmt::format("Vehicles that are not of the demand ({} a run; calibrators insert some, or a state) are "
+                    "in no figure, and not re-routed by Thalweg.",
+                    arms));
   }
   if (warnings.empty()) return;
   out += '\n';
