@@ -20,7 +20,7 @@ namespace bp = boost::process;
 /// What follows "--", with the outputs in the run's own folder: the runs would overwrite each other's.
 std::vector<std::string> for_sumo(const Options& options, const SumoOptions& catalogue,
                                   const fs::path& folder) {
-  OutputPlaces places(folder, "");
+  OutputPlaces places(folder);
   std::vector<std::string> arguments = options.for_sumo();
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const auto* option = catalogue.find_argument(arguments[i]);

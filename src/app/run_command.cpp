@@ -99,7 +99,7 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   ControlOptions control_with = control_options(options);
   control_with.lane_changes =
       read_lane_changes(file_list(project.settings.find("additional-files").value_or("")), project.network);
-  if (!arm.ours && !arm.settings.empty()) tell_open_closings(project.network, control_with.lane_changes);
+  if (arm.has_device()) tell_open_closings(project.network, control_with.lane_changes);
   control_with.seed = summary.seed;
   const std::string& decision_output = options.text("decision-output");
   std::optional<DecisionOutput> decisions;  // opened before the work, so that a bad name costs no run
@@ -179,6 +179,7 @@ int run_command(std::span<const std::string> arguments) {
     verify(!has_memory || arm.name == "memory",
            "--memory-input and --memory-output go with --strategy memory: no other router has one");
   });
+  if (options.text("prepared").empty()) warn_of_rerouting_output(project.settings, {&arm, 1});
   const RunFolder folder =
       make_run_folder(project.output, project.settings, project.catalogue, project.demand_files, arm,
                       options.count("seed"), options.header());

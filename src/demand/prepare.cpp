@@ -187,7 +187,7 @@ void write_free_flow(const Duarouter& duarouter, const DemandFiles& files, std::
 /// by now. The additional files' copies are written to `scratch`.
 Settings for_duarouter(const Settings& settings, const fs::path& scratch) {
   fs::create_directories(scratch);
-  OutputPlaces places(scratch, "");
+  OutputPlaces places(scratch);
   std::string copies;
   int number = 0;
   for (const auto& file : file_list(settings.find("additional-files").value_or(""))) {

@@ -138,6 +138,24 @@ class Outputs(support.TestCase):
                 read_xml(folder / "out" / arm / "23423" / file)
 
 
+    def test_names_with_the_time(self):
+        """SUMO would put the time in place of TIME; the weights of its device are those of the arms that have it."""
+        folder = self.folder()
+        net = support.make_grid(folder)
+        trips = support.write_routes(folder / "t.xml", support.random_trips(net, 20, 20))
+        city = support.write(folder / "city.sumocfg", f"""<configuration><net-file value="{net}"/>
+            <route-files value="{trips}"/><output-prefix value="TIME-"/><output-suffix value="_${{UTC}}"/>
+            <device.rerouting.output value="weights.xml"/></configuration>""")
+        call = ("compare", "-c", city, "--seeds", 1)
+        self.assertNotIn("rerouting.output", self.succeeds(*call, "-o", folder / "o", "--arms", "device,evolved").err)
+        times = "20*-*-*-*-*-*"
+        for arm in ("device", "evolved"):
+            self.assertEqual(len(list((folder / "o" / arm).glob(f"*/{times}-statistics_{times}.xml"))), 1)
+        self.assertEqual([file.parts[-3] for file in (folder / "o").glob(f"*/*/{times}-weights_{times}.xml")], ["device"])
+        told = self.succeeds(*call, "-o", folder / "none", "--arms", "given,evolved").err
+        self.assertEqual(told.count("device.rerouting.output is not written"), 1)
+
+
 @expand
 class CompareFails(support.TestCase):
     def test_an_option_that_sumo_does_not_know(self):
