@@ -3,12 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <boost/process.hpp>
+#include <csignal>
 
 #include "app/messages.hpp"
 #include "core/number.hpp"
 #include "demand/additional.hpp"
 #include "report/comparison.hpp"
+#include "sumo/ends_after_us.hpp"
 #include "sumo/program.hpp"
 
 namespace thalweg {
@@ -63,7 +64,7 @@ RunSummary run_child(const ChildRun& run) {
   std::error_code ignored;
   fs::remove(result, ignored);
   bp::child child(bp::exe = fs::read_symlink("/proc/self/exe").string(), bp::args = run.arguments,
-                  bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string());
+                  bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string(), ends_after_us(SIGTERM));
   register_child(child.id());
   child.wait();
   forget_child(child.id());

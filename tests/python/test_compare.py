@@ -24,6 +24,21 @@ def without_times(value):
     return [without_times(v) for v in value] if isinstance(value, list) else value
 
 
+def name_of(pid):
+    try:
+        return Path(f"/proc/{pid}/comm").read_text().strip()
+    except (FileNotFoundError, ProcessLookupError):
+        return ""
+
+
+def is_alive(pid):
+    """A zombie is not."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+
+
 def hashes(folder):
     return {str(file.relative_to(folder)): hashlib.sha256(file.read_bytes()).hexdigest()
             for file in sorted(folder.rglob("*")) if file.is_file()}
@@ -274,6 +289,29 @@ class CompareFails(support.TestCase):
             self.assertGreater(len(read_xml(folder / name)), 0, name)
         summary = json.loads((folder / "run.json").read_text())
         self.assertEqual(summary["vehicles"], sum(summary[part] for part in PARTS))
+
+    def kill_program(self, process):
+        """With -9; returns when its children are gone, too."""
+        children = self.children(process)
+        process.kill()
+        process.communicate(timeout=60)
+        self.wait_for(lambda: not any(is_alive(pid) for pid in children))
+
+    def test_duarouter_does_not_outlive_us(self):
+        folder = self.folder()
+        process = self.start("run", "-c", HEAVY, "-o", folder)
+        self.wait_for(lambda: any(name_of(pid) == "duarouter" for pid in self.children(process)))
+        os.kill(self.children(process)[0], signal.SIGSTOP)  # else it ends in any case
+        self.kill_program(process)
+
+    def test_runs_do_not_outlive_us(self):
+        """They end in order, with what they have."""
+        folder = self.folder()
+        process = self.start("compare", "-c", HEAVY, "-o", folder, "--arms", "static", "--seeds", 1)
+        self.wait_for(lambda: self.simulating(folder))
+        self.kill_program(process)
+        summary = json.loads((folder / "static" / "23423" / "run.json").read_text())
+        self.assertEqual(summary["error"], "interrupted")
 
     def test_a_child_that_is_killed(self):
         folder = self.folder()
