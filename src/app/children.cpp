@@ -68,14 +68,9 @@ RunSummary run_child(const ChildRun& run) {
   register_child(child.id());
   child.wait();
   forget_child(child.id());
+  if (fs::exists(result, ignored)) return read_run(result);
   const std::string words = read_text(log);
   const auto last = trimmed(std::string_view(words).substr(words.size() > 600 ? words.size() - 600 : 0));
-  if (fs::exists(result, ignored)) {
-    RunSummary summary = read_run(result);
-    // SUMO prints what it does not like of its options before it opens its error log: only the log has it.
-    if (summary.failed() && !last.empty()) summary.error = last;
-    return summary;
-  }
   const int status = child.native_exit_code();
   const int exit = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : child.exit_code();
   RunSummary failed;

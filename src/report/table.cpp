@@ -152,6 +152,11 @@ void print_warnings(const Comparison& comparison, const Labels& labels, std::str
   for (std::size_t i = 0; i < comparison.arms.size(); ++i) {
     for (const RunSummary& run : comparison.arms[i].runs) {
       if (!run.failed()) continue;
+      if (run.error == was_interrupted) {
+        warnings.push_back(
+            fmt::format("{}, seed {}, was interrupted and is left out.", labels.of_arm[i], run.seed));
+        continue;
+      }
       warnings.push_back(fmt::format("{}, seed {}, failed (exit {}) and is left out{}{}", labels.of_arm[i],
                                      run.seed, run.exit, run.error.empty() ? "." : ": ", run.error));
     }

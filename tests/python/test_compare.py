@@ -256,6 +256,7 @@ class CompareFails(support.TestCase):
         (os.kill if where == "the_program" else os.killpg)(process.pid, signal.SIGINT)
         result = self.end(process)
         self.assertEqual(result.exit, 1, result)
+        self.assertIn("static, seed 23423, was interrupted", result.out)
         comparison = json.loads((folder / "comparison.json").read_text())
         self.assertTrue(any(arm["runs"] for arm in comparison["arms"]))
         outputs = [file for name in ("tripinfo.xml", "statistics.xml", "edgedata.xml") for file in folder.rglob(name)]
@@ -284,7 +285,8 @@ class CompareFails(support.TestCase):
         process.send_signal(getattr(signal, "SIG" + name.upper()))
         result = self.end(process)
         self.assertEqual(result.exit, 1, result)
-        self.assertIn("interrupted", result.err)
+        self.assertRegex(result.err, r"Warning: interrupted at \d+")
+        self.assertRegex(result.out, r"\n  forecast +\d+\.\d")  # the figures up to there
         for name in ("tripinfo.xml", "statistics.xml", "decisions.xml.gz"):
             self.assertGreater(len(read_xml(folder / name)), 0, name)
         summary = json.loads((folder / "run.json").read_text())
