@@ -22,8 +22,8 @@ std::string pattern_of(std::string_view line) {
     pattern.append(line.substr(0, mark));
     if (mark == std::string_view::npos) break;
     pattern.push_back('*');
-    const auto last = line[mark] == '\'' ? line.find('\'', mark + 1)
-                                         : line.find_first_not_of("0123456789.", mark + 1) - 1;
+    const auto last =
+        line[mark] == '\'' ? line.find('\'', mark + 1) : line.find_first_not_of("0123456789.", mark + 1) - 1;
     line.remove_prefix(std::min(last, line.size() - 1) + 1);
   }
   return pattern;

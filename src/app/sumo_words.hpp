@@ -15,8 +15,9 @@ namespace thalweg {
 /// Takes what SUMO prints on the error stream of this process while it lives: SUMO warns of the same thing
 /// for hundreds of vehicles, and what else there is to read would be lost among them.
 ///
-/// Of the warnings that differ in names and numbers only, the first three are shown; `end` tells how many more
-/// there were. Errors are kept for the message that tells of SUMO's end. Everything else is shown as it comes.
+/// Of the warnings that differ in names and numbers only, the first three are shown; `end` tells how many
+/// more there were. Errors are kept for the message that tells of SUMO's end. Everything else is shown as it
+/// comes.
 class SumoWords : public std::streambuf {
  public:
   /// `show` gets whole lines, each with its end.

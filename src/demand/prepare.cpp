@@ -12,6 +12,7 @@
 #include "demand/duarouter.hpp"
 #include "demand/duarouter_log.hpp"
 #include "demand/input_scan.hpp"
+#include "demand/state_file.hpp"
 #include "demand/vehicle_file.hpp"
 
 namespace thalweg {
@@ -253,7 +254,8 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   };
   scan_all("additional-files", true);
   scan_all("route-files", false);
-  const bool has_others = scan.has_others || settings.find("load-state");
+  const auto state = settings.find("load-state");
+  const bool has_others = scan.has_others || state;
   if (!has_others) verify_vehicles(scan);
   if (inputs.empty()) inputs = write_nothing(files.folder / fmt::format("input.{}.xml", number++));
 
@@ -275,6 +277,7 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   } else {
     fs::copy_file(files.given(), files.free_flow(), fs::copy_options::overwrite_existing);
   }
+  if (state) copy_state_without_flows(*state, files.state(), header);
   fs::remove_all(scratch);
   write_dropped(files, header, demand);
   verify(!demand.vehicles.empty() || (has_others && demand.dropped.empty()),

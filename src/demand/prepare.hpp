@@ -21,6 +21,9 @@ struct DemandFiles {
   [[nodiscard]] std::filesystem::path free_flow() const {
     return folder / "static.rou.xml";
   }  ///< on the empty net
+  [[nodiscard]] std::filesystem::path state() const {
+    return folder / "state.xml";
+  }  ///< where the run begins with one
   [[nodiscard]] std::filesystem::path dropped() const { return folder / "dropped.xml"; }
 };
 

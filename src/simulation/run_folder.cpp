@@ -106,6 +106,7 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
     std::error_code ignored;
     if (file.is_absolute() && fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
   }
+  if (run.find("load-state")) run.set("load-state", fs::absolute(demand.state()).string());
   run.set("tripinfo-output.write-unfinished", "true");
   run.set("tripinfo-output.write-undeparted", "true");
   run.set("no-step-log", "true");

@@ -102,6 +102,19 @@ class OtherCities(support.GridCase):
         self.assertGreater(len(on_the_road & {d.get("vehicle") for d in result.decisions()}), 60)
         self.assertNotIn("Invalid route", (result.folder / "sumo.log").read_text())
 
+    def test_a_state_with_flows(self):
+        """It has the flows as well: nobody is inserted by the state and by the demand (nobody is 'unknown')."""
+        ends = 'from="A0A1" to="C4C3"'
+        file = self.city([f'<flow id="p" begin="0" end="900" probability="0.1" {ends}/>',
+                          f'<flow id="r" begin="5" end="905" period="10" {ends}/>'], '<load-state value="state.xml"/>')
+        run_tool("sumo", "-n", self.net, "-r", self.place / "trips.xml", "--end", 101, "--save-state.times", 100,
+                 "--save-state.files", self.place / "state.xml")
+        self.assertEqual(sum(e.tag == "flowState" for e in read_xml(self.place / "state.xml")), 2)
+        run = self.run_city("-c", file)
+        departs = [float(trip.get("depart")) for trip in run.trips.values() if trip.get("id").startswith("r.")]
+        self.assertEqual(len([depart for depart in departs if depart >= 100]), 80)  # from 105 to 895
+        self.assertEqual(run.summary["finished"], len(read_xml(run.folder / "tripinfo.xml")))
+
     def test_a_state_beside_the_configuration(self):
         result = support.thalweg("run", "-c", self.city([]), "-o", self.place / "o", "--", "--load-state", "state.xml")
         self.assertEqual(result.exit, 1)
