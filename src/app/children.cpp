@@ -3,12 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <boost/process.hpp>
+#include <csignal>
 
 #include "app/messages.hpp"
 #include "core/number.hpp"
 #include "demand/additional.hpp"
 #include "report/comparison.hpp"
+#include "sumo/ends_after_us.hpp"
 #include "sumo/program.hpp"
 
 namespace thalweg {
@@ -20,7 +21,7 @@ namespace bp = boost::process;
 /// What follows "--", with the outputs in the run's own folder: the runs would overwrite each other's.
 std::vector<std::string> for_sumo(const Options& options, const SumoOptions& catalogue,
                                   const fs::path& folder) {
-  OutputPlaces places(folder, "");
+  OutputPlaces places(folder);
   std::vector<std::string> arguments = options.for_sumo();
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const auto* option = catalogue.find_argument(arguments[i]);
@@ -63,18 +64,13 @@ RunSummary run_child(const ChildRun& run) {
   std::error_code ignored;
   fs::remove(result, ignored);
   bp::child child(bp::exe = fs::read_symlink("/proc/self/exe").string(), bp::args = run.arguments,
-                  bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string());
+                  bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string(), ends_after_us(SIGTERM));
   register_child(child.id());
   child.wait();
   forget_child(child.id());
+  if (fs::exists(result, ignored)) return read_run(result);
   const std::string words = read_text(log);
   const auto last = trimmed(std::string_view(words).substr(words.size() > 600 ? words.size() - 600 : 0));
-  if (fs::exists(result, ignored)) {
-    RunSummary summary = read_run(result);
-    // SUMO prints what it does not like of its options before it opens its error log: only the log has it.
-    if (summary.failed() && !last.empty()) summary.error = last;
-    return summary;
-  }
   const int status = child.native_exit_code();
   const int exit = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : child.exit_code();
   RunSummary failed;

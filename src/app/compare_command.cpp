@@ -89,6 +89,7 @@ int compare_command(std::span<const std::string> arguments) {
   Comparison comparison;
   std::uint64_t jobs_at_a_time = 1;
   std::vector<std::string> names;
+  std::vector<ArmSpec> arms;
   const Project project = load_project(options, [&](const SumoOptions& catalogue) {
     jobs_at_a_time = options.count("jobs");
     verify(jobs_at_a_time >= 1 && jobs_at_a_time <= 64, "--jobs must be from 1 to 64");
@@ -97,10 +98,12 @@ int compare_command(std::span<const std::string> arguments) {
     names = split_arms(options.text("arms"));
     verify(!names.empty(), "--arms names no arm");
     verify(!has_twins(names), "--arms names an arm twice");
-    for (const auto& name : names) comparison.arms.push_back({.name = parse_arm(name, catalogue).name});
+    for (const auto& name : names) arms.push_back(parse_arm(name, catalogue));
     static_cast<void>(control_options(options));
     static_cast<void>(strategy_options(options));
   });
+  warn_of_rerouting_output(project.settings, arms);
+  for (const ArmSpec& arm : arms) comparison.arms.push_back({.name = arm.name});
   comparison.thalweg = THALWEG_VERSION;
   comparison.sumo = sumo_library_version();
   comparison.configuration = project.name;

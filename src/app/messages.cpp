@@ -26,8 +26,15 @@ struct CloseFile {
 };
 std::unique_ptr<std::FILE, CloseFile> log_file;
 bool is_verbose = false;
+std::size_t progress_width = 0;  ///< of the line that is shown
 
-void say(std::FILE* stream, const std::string& text) {
+void clear_progress() {
+  if (progress_width > 0) fmt::print(stderr, "\r{:{}}\r", "", progress_width);
+  progress_width = 0;
+}
+
+void say(std::FILE* stream, std::string_view text) {
+  clear_progress();
   for (std::FILE* to : {stream, log_file.get()}) {
     if (to == nullptr) continue;
     std::fwrite(text.data(), 1, text.size(), to);
@@ -54,6 +61,8 @@ void configure_messages(bool verbose, const std::filesystem::path& log) {
 
 void warn(std::string_view text) { say(stderr, fmt::format("Warning: {}\n", text)); }
 
+void pass_on(std::string_view text) { say(stderr, text); }
+
 void tell_error(std::string_view text) {
   say(stderr, fmt::format("Error: {}\nQuitting (on error).\n", text));
 }
@@ -72,9 +81,7 @@ Stage::~Stage() {
 ProgressLine::ProgressLine()
     : is_terminal_(isatty(STDERR_FILENO) == 1), start_(std::chrono::steady_clock::now()), last_(start_) {}
 
-ProgressLine::~ProgressLine() {
-  if (width_ > 0) fmt::print(stderr, "\r{:{}}\r", "", width_);
-}
+ProgressLine::~ProgressLine() { clear_progress(); }
 
 void ProgressLine::show(const Simulation& simulation) {
   if (!is_terminal_) return;
@@ -94,8 +101,8 @@ void ProgressLine::show(const Simulation& simulation) {
 void ProgressLine::show(std::string_view text) {
   if (!is_terminal_) return;
   last_ = std::chrono::steady_clock::now();
-  fmt::print(stderr, "\r{:{}}", text, width_);
-  width_ = std::max(width_, text.size());
+  fmt::print(stderr, "\r{:{}}", text, progress_width);
+  progress_width = std::max(progress_width, text.size());
   std::fflush(stderr);
 }
 

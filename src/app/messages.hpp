@@ -17,6 +17,8 @@ void configure_messages(bool verbose, const std::filesystem::path& log);
 
 /// "Warning: ..." on the error stream.
 void warn(std::string_view text);
+/// Text as it is, with its line's end, on the error stream.
+void pass_on(std::string_view text);
 /// "Error: ..." and "Quitting (on error)." on the error stream.
 void tell_error(std::string_view text);
 
@@ -32,8 +34,8 @@ class Stage {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A line that is rewritten while a simulation runs: simulated time, vehicles, speed, time left. Nothing
-/// unless the error stream is a terminal.
+/// A line that is rewritten while a simulation runs: simulated time, vehicles, speed, time left. Messages
+/// take its place. Nothing unless the error stream is a terminal. One at a time.
 class ProgressLine {
  public:
   ProgressLine();
@@ -45,7 +47,6 @@ class ProgressLine {
 
  private:
   bool is_terminal_;
-  std::size_t width_ = 0;
   Millis begin_ = -1;
   std::chrono::steady_clock::time_point start_;
   std::chrono::steady_clock::time_point last_;

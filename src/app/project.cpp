@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/project.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
+#include <ctime>
 
 #include "app/messages.hpp"
 #include "app/routing_options.hpp"
@@ -59,11 +63,36 @@ void apply_command_line(const Options& options, Project& project) {
   if (options.is_set("output-prefix")) project.settings.set("output-prefix", options.text("output-prefix"));
 }
 
+/// SUMO puts the time in place of TIME and of variables when it opens a file, and only then. Here the names
+/// of the files are made before, and those that are read afterwards must be known.
+void fill_in_time(Settings& settings) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  const std::string time = fmt::format("{:%Y-%m-%d-%H-%M-%S}", local);
+  const std::array<std::pair<std::string_view, std::string>, 4> values{
+      {{"${LOCALTIME}", time}, {"${UTC}", time}, {"${PID}", std::to_string(getpid())}, {"TIME", time}}};
+  for (const char* option : {"output-prefix", "output-suffix"}) {
+    std::string text = settings.find(option).value_or("");
+    for (const auto& [name, value] : values) boost::algorithm::replace_all(text, name, value);
+    if (!text.empty()) settings.set(option, text);
+  }
+}
+
 /// What follows "--" goes to SUMO as it is, so it may not contradict what the run stands on.
 void check_for_sumo(const Options& options, const SumoOptions& catalogue) {
-  static constexpr std::array<std::string_view, 10> owned{
-      "configuration-file", "route-files",      "additional-files", "begin", "scale", "seed", "random",
-      "tripinfo-output",    "statistic-output", "load-state"};
+  static constexpr std::array<std::string_view, 12> owned{"configuration-file",
+                                                          "route-files",
+                                                          "additional-files",
+                                                          "begin",
+                                                          "scale",
+                                                          "seed",
+                                                          "random",
+                                                          "tripinfo-output",
+                                                          "statistic-output",
+                                                          "load-state",
+                                                          "output-prefix",
+                                                          "output-suffix"};
   for (const auto& argument : options.for_sumo()) {
     const auto* option = catalogue.find_argument(argument);
     if (option == nullptr || std::find(owned.begin(), owned.end(), option->first) == owned.end()) continue;
@@ -144,6 +173,12 @@ std::vector<OptionSpec> project_options() {
   return specs;
 }
 
+void warn_of_rerouting_output(const Settings& settings, std::span<const ArmSpec> arms) {
+  const bool is_written = std::ranges::any_of(arms, [](const ArmSpec& arm) { return arm.has_device(); });
+  if (settings.find("device.rerouting.output") && !is_written)
+    warn("device.rerouting.output is not written: only SUMO's own device has it (device, one-shot)");
+}
+
 Project load_project(Options& options, const std::function<void(const SumoOptions&)>& check) {
   Project project;
   project.sumo = find_sumo();
@@ -156,6 +191,7 @@ Project load_project(Options& options, const std::function<void(const SumoOption
   check_for_sumo(options, project.catalogue);
   if (!configuration.empty()) read_user_configuration(options, project);
   apply_command_line(options, project);
+  fill_in_time(project.settings);
   check(project.catalogue);
   check_files(project.settings);
   project.name = configuration.empty() ? options.text("net-file") : configuration.string();
@@ -173,6 +209,8 @@ Project load_project(Options& options, const std::function<void(const SumoOption
   const Stage stage(prepared ? "Reading the prepared demand" : "Preparing the demand");
   project.demand = prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
                             : prepare(options, project);
+  if (project.demand.vehicles.empty() && !prepared)
+    warn("the demand has no vehicles: there is nobody for Thalweg to re-route");
   const auto& lost = project.demand.lost_persons;
   if (!lost.empty() && !prepared) {
     warn(told("person(s) or container(s) cannot be routed and are left out", lost, project.demand_files));

@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "app/options.hpp"
 #include "demand/prepare.hpp"
+#include "simulation/arm.hpp"
 #include "sumo/installation.hpp"
 #include "sumo/options.hpp"
 
@@ -30,5 +32,8 @@ std::vector<OptionSpec> project_options();
 /// Reads the configuration and the net, and prepares the demand (or reads the one named by --prepared).
 /// `check` looks at the command's own options once the configuration is read, before the work begins.
 Project load_project(Options& options, const std::function<void(const SumoOptions&)>& check);
+
+/// Tells the user when he names a file that none of the arms writes: device.rerouting.output.
+void warn_of_rerouting_output(const Settings& settings, std::span<const ArmSpec> arms);
 
 }  // namespace thalweg

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <fstream>
 #include <optional>
 
 #include "app/commands.hpp"
@@ -8,6 +9,7 @@
 #include "app/project.hpp"
 #include "app/routing_options.hpp"
 #include "app/start.hpp"
+#include "app/sumo_words.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
 #include "network/lane_changes.hpp"
@@ -71,10 +73,6 @@ void tell_end(const RunResult& result, Millis stall) {
     warn(fmt::format("nothing has arrived for {} s: the run is stopped at {} s (see --stall)",
                      format_seconds(stall), format_seconds(result.end)));
   }
-  if (result.reason == StopReason::interrupted) {
-    warn(
-        fmt::format("interrupted at {} s; the outputs are complete up to there", format_seconds(result.end)));
-  }
   if (result.unreachable > 0)
     warn(fmt::format("{} time(s) no way led from a vehicle's road to where it must go; it kept its route",
                      result.unreachable));
@@ -99,7 +97,7 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   ControlOptions control_with = control_options(options);
   control_with.lane_changes =
       read_lane_changes(file_list(project.settings.find("additional-files").value_or("")), project.network);
-  if (!arm.ours && !arm.settings.empty()) tell_open_closings(project.network, control_with.lane_changes);
+  if (arm.has_device()) tell_open_closings(project.network, control_with.lane_changes);
   control_with.seed = summary.seed;
   const std::string& decision_output = options.text("decision-output");
   std::optional<DecisionOutput> decisions;  // opened before the work, so that a bad name costs no run
@@ -147,6 +145,34 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   return result;
 }
 
+/// Why a run failed. SUMO often throws no more than "Process Error": it has printed the reason.
+std::string reason_of(std::string_view thrown, std::string_view printed) {
+  constexpr std::string_view mark = "SUMO: ";
+  if (printed.empty()) return std::string(thrown);
+  const bool is_sumo = thrown.starts_with(mark);
+  const bool is_told = is_sumo && printed.find(thrown.substr(mark.size())) != std::string_view::npos;
+  if (is_told || thrown == "SUMO: Process Error") return fmt::format("{}{}", mark, printed);
+  return fmt::format("{}\n{}", thrown, printed);
+}
+
+/// A run that fails as it starts leaves an empty log.
+void keep(std::string_view words, const std::filesystem::path& log) {
+  if (words.empty() || !log.is_absolute()) return;
+  std::ofstream(log) << words;
+}
+
+/// Of an interrupted run the figures until then.
+void print_table(const Project& project, RunSummary summary) {
+  if (summary.error == was_interrupted) summary.exit = 0;
+  const Comparison alone{.thalweg = THALWEG_VERSION,
+                         .sumo = sumo_library_version(),
+                         .configuration = project.name,
+                         .command = {},
+                         .seeds = {summary.seed},
+                         .arms = {{.name = summary.arm, .runs = {summary}}}};
+  fmt::print("{}", format_table(alone));
+}
+
 }  // namespace
 
 Options run_options() {
@@ -179,6 +205,7 @@ int run_command(std::span<const std::string> arguments) {
     verify(!has_memory || arm.name == "memory",
            "--memory-input and --memory-output go with --strategy memory: no other router has one");
   });
+  if (options.text("prepared").empty()) warn_of_rerouting_output(project.settings, {&arm, 1});
   const RunFolder folder =
       make_run_folder(project.output, project.settings, project.catalogue, project.demand_files, arm,
                       options.count("seed"), options.header());
@@ -186,29 +213,28 @@ int run_command(std::span<const std::string> arguments) {
   summary.arm = arm.name;
   summary.seed = options.count("seed");
   summary.dropped = project.demand.dropped.size();
+  SumoWords words(pass_on);
   try {
     const RunResult result = simulate(options, project, arm, folder, summary);
+    words.end(folder.errors.string());
+    if (!words.errors().empty()) pass_on(fmt::format("Error: SUMO: {}\n", words.errors()));
     if (result.reason == StopReason::interrupted) {
       summary.exit = 1;
-      summary.error = "interrupted";
+      summary.error = was_interrupted;
     }
   } catch (const InputError& error) {
-    const std::string words = read_text(folder.errors);
+    words.end(folder.errors.string());
+    if (read_text(folder.errors).empty()) keep(words.all(), folder.errors);
     summary.exit = 1;
-    summary.error =
-        trimmed(words).empty() ? error.what() : fmt::format("{}\n{}", error.what(), trimmed(words));
+    summary.error = reason_of(error.what(), words.errors());
     write_json(summary, folder.folder / "run.json");
     throw InputError(summary.error);
   }
   write_json(summary, folder.folder / "run.json");
-  if (options.text("prepared").empty()) {
-    const Comparison alone{.thalweg = THALWEG_VERSION,
-                           .sumo = sumo_library_version(),
-                           .configuration = project.name,
-                           .command = {},
-                           .seeds = {summary.seed},
-                           .arms = {{.name = arm.name, .runs = {summary}}}};
-    fmt::print("{}", format_table(alone));
+  if (options.text("prepared").empty()) print_table(project, summary);
+  if (summary.error == was_interrupted) {
+    warn(fmt::format("interrupted at {:.2f} s: the outputs and figures are those of the run up to there",
+                     summary.end_s));
   }
   return summary.exit;
 }

@@ -93,7 +93,11 @@ std::string OutputPlaces::place(std::string_view value, const fs::path& from) {
   if (is_special(value)) return std::string(value);
   const fs::path wanted = fs::absolute(from / value).lexically_normal();
   fs::path relative = fs::path(value).lexically_normal();
-  relative.replace_filename(prefix_ + relative.filename().string());  // the prefix may name folders, too
+  const std::string name = relative.filename().string();
+  const auto stem =
+      std::min(name.size(), name.rfind('.', name.ends_with(".gz") ? name.size() - 4 : name.npos));
+  // The prefix may name folders, too.
+  relative.replace_filename(prefix_ + name.substr(0, stem) + suffix_ + name.substr(stem));
   relative = relative.lexically_normal();
   const bool leads_out = relative.is_absolute() || (!relative.empty() && *relative.begin() == "..");
   if (leads_out) relative = relative.filename();

@@ -12,8 +12,9 @@ namespace thalweg {
 /// in the run's own folder, under its own name as far as that is free.
 class OutputPlaces {
  public:
-  OutputPlaces(std::filesystem::path folder, std::string prefix)
-      : folder_(std::move(folder)), prefix_(std::move(prefix)) {}
+  /// `prefix` and `suffix` of the name of every file, the suffix before ".xml" or ".xml.gz"; times filled in.
+  explicit OutputPlaces(std::filesystem::path folder, std::string prefix = {}, std::string suffix = {})
+      : folder_(std::move(folder)), prefix_(std::move(prefix)), suffix_(std::move(suffix)) {}
 
   /// `value` as the user wrote it in a file of `from`. Special names (NUL, stdout, host:port ..) stay.
   std::string place(std::string_view value, const std::filesystem::path& from);
@@ -23,6 +24,7 @@ class OutputPlaces {
  private:
   std::filesystem::path folder_;
   std::string prefix_;
+  std::string suffix_;
   std::map<std::filesystem::path, std::filesystem::path> taken_;  ///< place -> what the user called it
 };
 

@@ -128,10 +128,12 @@ bool scan_into(xml::Writer& writer, const std::filesystem::path& file, const Net
         const bool is_route = node.name == "route" || node.name == "routeDistribution";
         if (is_route && !note_route(node, network, scan)) return;
         const bool is_demand = is_demand_element(node.name);
+        const bool is_vehicle = node.name == "vehicle" || node.name == "trip" || node.name == "flow";
+        const bool inserts = is_additional && node.name == "calibrator";
+        scan.has_others = scan.has_others || (is_demand && !is_vehicle) || inserts;
         if (is_additional && !is_demand) return;  // duarouter reads the rest of the additional file itself
         found = found || is_demand;
         close_flow(node, scan.end);
-        const bool is_vehicle = node.name == "vehicle" || node.name == "trip" || node.name == "flow";
         if (!is_vehicle || note(node, network, scan)) write_node(writer, node);
       });
   return found;

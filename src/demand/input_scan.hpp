@@ -23,6 +23,7 @@ struct InputScan {
   std::unordered_map<std::string, std::string> broken_routes;  ///< by id: the first road that the net has not
   std::vector<DroppedVehicle> dropped;   ///< name a road that the net has not: duarouter would cut them short
   bool has_given_routes = false;         ///< some vehicle brings its route along
+  bool has_others = false;               ///< persons, containers, or calibrators, who insert vehicles
   std::unordered_set<std::string> seen;  ///< ids of all vehicles and trips, to find double ones
   /// The same of flows: theirs may be those of vehicles, as in SUMO.
   std::unordered_set<std::string> seen_flows;

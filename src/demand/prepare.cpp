@@ -12,6 +12,7 @@
 #include "demand/duarouter.hpp"
 #include "demand/duarouter_log.hpp"
 #include "demand/input_scan.hpp"
+#include "demand/state_file.hpp"
 #include "demand/vehicle_file.hpp"
 
 namespace thalweg {
@@ -190,7 +191,7 @@ void write_free_flow(const Duarouter& duarouter, const DemandFiles& files, std::
 /// by now. The additional files' copies are written to `scratch`.
 Settings for_duarouter(const Settings& settings, const fs::path& scratch) {
   fs::create_directories(scratch);
-  OutputPlaces places(scratch, "");
+  OutputPlaces places(scratch);
   std::string copies;
   int number = 0;
   for (const auto& file : file_list(settings.find("additional-files").value_or(""))) {
@@ -202,6 +203,24 @@ Settings for_duarouter(const Settings& settings, const fs::path& scratch) {
   rest.set("additional-files", copies);
   if (rest.find("load-state")) rest.erase("begin");  // who is on the road in the state departed before
   return rest;
+}
+
+/// InputError: there is nobody to simulate.
+void verify_vehicles(const InputScan& scan) {
+  verify(!scan.seen.empty() || !scan.seen_flows.empty(),
+         "the configuration has no demand: no vehicle, trip, flow, person, container or calibrator in its "
+         "files");
+  verify(!scan.ids.empty() || !scan.flows.empty() || !scan.dropped.empty(),
+         fmt::format("nothing is left of the demand: all departs before the begin ({} s)",
+                     format_seconds(scan.begin)));
+}
+
+/// A file of no demand: duarouter must have one.
+std::string write_nothing(const fs::path& file) {
+  xml::Writer writer(file, "no demand");
+  writer.open("routes");
+  writer.commit();
+  return file.string();
 }
 
 void write_dropped(const DemandFiles& files, std::string_view header, const Demand& demand) {
@@ -239,11 +258,10 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   };
   scan_all("additional-files", true);
   scan_all("route-files", false);
-  verify(!scan.seen.empty() || !scan.seen_flows.empty(),
-         "the configuration has no demand: no vehicle, trip or flow in its files");
-  verify(!scan.ids.empty() || !scan.flows.empty() || !scan.dropped.empty(),
-         fmt::format("nothing is left of the demand: all departs before the begin ({} s)",
-                     format_seconds(scan.begin)));
+  const auto state = settings.find("load-state");
+  const bool has_others = scan.has_others || state;
+  if (!has_others) verify_vehicles(scan);
+  if (inputs.empty()) inputs = write_nothing(files.folder / fmt::format("input.{}.xml", number++));
 
   Demand demand;
   const fs::path routed = files.folder / "routed.xml";
@@ -261,9 +279,10 @@ Demand prepare_demand(const Settings& settings, const Network& network, const Su
   } else {
     fs::copy_file(files.given(), files.free_flow(), fs::copy_options::overwrite_existing);
   }
+  if (state) copy_state_without_flows(*state, files.state(), header);
   fs::remove_all(scratch);
   write_dropped(files, header, demand);
-  verify(!demand.vehicles.empty(),
+  verify(!demand.vehicles.empty() || (has_others && demand.dropped.empty()),
          fmt::format("nothing is left of the demand: no vehicle can be routed; {} tells why",
                      files.dropped().string()));
   for (int i = 0; i < number; ++i) fs::remove(files.folder / fmt::format("input.{}.xml", i));

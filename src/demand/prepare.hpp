@@ -21,6 +21,9 @@ struct DemandFiles {
   [[nodiscard]] std::filesystem::path free_flow() const {
     return folder / "static.rou.xml";
   }  ///< on the empty net
+  [[nodiscard]] std::filesystem::path state() const {
+    return folder / "state.xml";
+  }  ///< where the run begins with one
   [[nodiscard]] std::filesystem::path dropped() const { return folder / "dropped.xml"; }
 };
 
@@ -29,7 +32,8 @@ struct DemandFiles {
 /// routes kept; types, depart attributes, stops and `via` kept; public transport and persons as they are.
 /// What cannot be routed is left out and listed with its reason. `settings`: the configuration, paths
 /// absolute; `header`: a comment on top of the files; `stop` ends it. InputError when duarouter fails or was
-/// stopped, or the demand is empty.
+/// stopped, or there is nobody to simulate. Without vehicles when only persons, containers, calibrators or a
+/// state that is loaded have any.
 Demand prepare_demand(const Settings& settings, const Network& network, const SumoInstallation& sumo,
                       const DemandFiles& files, std::string_view header, const std::atomic<bool>& stop);
 

@@ -152,6 +152,11 @@ void print_warnings(const Comparison& comparison, const Labels& labels, std::str
   for (std::size_t i = 0; i < comparison.arms.size(); ++i) {
     for (const RunSummary& run : comparison.arms[i].runs) {
       if (!run.failed()) continue;
+      if (run.error == was_interrupted) {
+        warnings.push_back(
+            fmt::format("{}, seed {}, was interrupted and is left out.", labels.of_arm[i], run.seed));
+        continue;
+      }
       warnings.push_back(fmt::format("{}, seed {}, failed (exit {}) and is left out{}{}", labels.of_arm[i],
                                      run.seed, run.exit, run.error.empty() ? "." : ": ", run.error));
     }
@@ -184,7 +189,10 @@ void print_warnings(const Comparison& comparison, const Labels& labels, std::str
   }
   if (const auto arms = arms_with(comparison, labels, [](const RunSummary& run) { return run.unknown; });
       !arms.empty()) {
-    warnings.push_back(fmt::format("Vehicles that the demand does not know were left out ({} a run).", arms));
+    warnings.push_back(
+        fmt::format("Vehicles that are not of the demand ({} a run; calibrators insert some, or a state) are "
+                    "in no figure, and not re-routed by Thalweg.",
+                    arms));
   }
   if (warnings.empty()) return;
   out += '\n';

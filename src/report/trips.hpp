@@ -14,6 +14,9 @@
 
 namespace thalweg {
 
+/// RunSummary::error of a run that the user ended.
+inline constexpr std::string_view was_interrupted = "interrupted";
+
 /// A mean over nothing.
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 

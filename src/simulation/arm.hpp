@@ -21,6 +21,8 @@ struct ArmSpec {
   bool ours = false;              ///< a strategy of ours decides
   bool free_flow_routes = false;  ///< starts from static.rou.xml instead of given.rou.xml
   std::vector<Setting> settings;  ///< SUMO's, beside the user's
+
+  [[nodiscard]] bool has_device() const { return !settings.empty(); }  ///< device.rerouting is at work
 };
 
 /// InputError with the nearest name: no such arm, no such setting of SUMO's.

@@ -30,7 +30,12 @@ bool is_replaced(const std::string& name) {
                                                           "seed",
                                                           "scale",
                                                           "remote-port"};
-  return std::find(names.begin(), names.end(), name) != names.end() || name.starts_with("device.rerouting.");
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The device is as the arm has it; where it is at work, its weights may be written.
+bool is_of_other_device(const std::string& name, const ArmSpec& arm) {
+  return name.starts_with("device.rerouting.") && !(arm.has_device() && name == "device.rerouting.output");
 }
 
 /// An output that we read must be XML under a known name; the user's name is kept where it is one.
@@ -72,11 +77,11 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
                           std::string_view header) {
   const fs::path home = fs::absolute(folder).lexically_normal();
   fs::create_directories(home);
-  OutputPlaces places(home, user.find("output-prefix").value_or(""));
+  OutputPlaces places(home, user.find("output-prefix").value_or(""), user.find("output-suffix").value_or(""));
   Settings run;
   for (const auto& [name, value] : user.all()) {
     const auto* option = options.find(name);
-    if (is_replaced(name) || option == nullptr) continue;
+    if (is_replaced(name) || is_of_other_device(name, arm) || option == nullptr) continue;
     run.set(name, SumoOptions::is_output(name, option->second) ? places.place(value, home) : value);
   }
   RunFolder result{.folder = home,
@@ -101,6 +106,7 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
     std::error_code ignored;
     if (file.is_absolute() && fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
   }
+  if (run.find("load-state")) run.set("load-state", fs::absolute(demand.state()).string());
   run.set("tripinfo-output.write-unfinished", "true");
   run.set("tripinfo-output.write-undeparted", "true");
   run.set("no-step-log", "true");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/number.hpp"
@@ -34,13 +35,29 @@ std::string with_environment(std::string_view text) {
   }
 }
 
+/// A configuration may have any root but those of SUMO's other files.
+void check_root(const xml::Element& root) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 3> others{
+      {{"net", "a network: name it with -n, and its demand with -r"},
+       {"routes", "a route file: name it with -r, and its network with -n"},
+       {"additional", "an additional file: name it with -a"}}};
+  for (const auto& [name, what] : others) {
+    if (root.name() == name) throw root.error(fmt::format("no configuration, but {}", what));
+  }
+}
+
 class ConfigurationHandler : public xml::Handler {
  public:
   void start(const xml::Element& element) override {
+    if (is_first_) check_root(element);
+    is_first_ = false;
     const auto value = element.find("value") ? element.find("value") : element.find("v");
     if (value) settings.push_back({.name = std::string(element.name()), .value = with_environment(*value)});
   }
   std::vector<Setting> settings;
+
+ private:
+  bool is_first_ = true;
 };
 
 }  // namespace

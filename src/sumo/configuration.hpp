@@ -16,7 +16,7 @@ struct Setting {
 
 /// A configuration in SUMO's format: any root, sections of any name, `<option value="..."/>`. In the file's
 /// order. "${NAME}" is that variable of the environment, empty where there is none; "${LOCALTIME}", "${UTC}"
-/// and "${PID}" are left to SUMO.
+/// and "${PID}" are left to SUMO. InputError: no XML, or a network, a route file or an additional file.
 std::vector<Setting> read_configuration(const std::filesystem::path& file);
 
 void write_configuration(const std::filesystem::path& file, std::string_view header,

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/process.hpp>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include <thread>
 
 #include "core/error.hpp"
+#include "sumo/ends_after_us.hpp"
 
 namespace thalweg {
 namespace {
@@ -22,7 +22,7 @@ int run(const std::filesystem::path& program, const std::vector<std::string>& ar
         const std::filesystem::path& log, const Wait& wait) {
   try {
     bp::child child(bp::exe = program.string(), bp::args = arguments,
-                    bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string());
+                    bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string(), ends_after_us(SIGKILL));
     wait(child);
     const int status = child.native_exit_code();
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : child.exit_code();

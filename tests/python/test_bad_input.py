@@ -342,6 +342,11 @@ class BadInput(support.TestCase):
                               '<route-files value="t.xml"/><stp-length value="1"/></configuration>')
         self.fails(r"c\.sumocfg.*stp-length.*step-length", "run", "-c", configuration, "-o", "out")
 
+    def test_another_file_in_place_of_the_configuration(self):
+        for root, option in (("net", "-n"), ("routes", "-r"), ("additional", "-a")):
+            file = write(self.place / "it.xml", f'<{root}><param key="a" value="b"/></{root}>')
+            self.fails(f"it.xml:1: <{root}>: no configuration, but .*name it with {option}", "run", "-c", file, "-o", "out")
+
     # ----------------------------------------------------------------------------------------- outputs
 
     def test_an_output_folder_that_cannot_be_written(self):
@@ -392,10 +397,12 @@ class BadInput(support.TestCase):
         trips = write_routes(self.place / "t.xml", random_trips(net, 20, 20))
         sign = write(self.place / "sign.add.xml", '<additional><variableSpeedSign id="v" lanes="A0A1_0">'
                      '<step time="10" speed="fast"/></variableSpeedSign></additional>')
-        result = self.fails("fast", "run", "-n", net, "-r", trips, "-a", sign, "-o", "out", seconds=15)
-        self.assertIn("SUMO", result.err)
+        reason = "Error: SUMO: Attribute 'speed' in definition of step 'v' .* fast"
+        self.fails(reason, "run", "-n", net, "-r", trips, "-a", sign, "-o", "out", seconds=15)
         summary = json.loads((self.place / "out" / "run.json").read_text())
         self.assertEqual(summary["exit"], 1)
+        self.assertIn("fast", summary["error"])
+        self.assertIn("fast", (self.place / "out" / "sumo.log").read_text())
 
 
 if __name__ == "__main__":

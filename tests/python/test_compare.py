@@ -24,6 +24,21 @@ def without_times(value):
     return [without_times(v) for v in value] if isinstance(value, list) else value
 
 
+def name_of(pid):
+    try:
+        return Path(f"/proc/{pid}/comm").read_text().strip()
+    except (FileNotFoundError, ProcessLookupError):
+        return ""
+
+
+def is_alive(pid):
+    """A zombie is not."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+
+
 def hashes(folder):
     return {str(file.relative_to(folder)): hashlib.sha256(file.read_bytes()).hexdigest()
             for file in sorted(folder.rglob("*")) if file.is_file()}
@@ -138,6 +153,24 @@ class Outputs(support.TestCase):
                 read_xml(folder / "out" / arm / "23423" / file)
 
 
+    def test_names_with_the_time(self):
+        """SUMO would put the time in place of TIME; the weights of its device are those of the arms that have it."""
+        folder = self.folder()
+        net = support.make_grid(folder)
+        trips = support.write_routes(folder / "t.xml", support.random_trips(net, 20, 20))
+        city = support.write(folder / "city.sumocfg", f"""<configuration><net-file value="{net}"/>
+            <route-files value="{trips}"/><output-prefix value="TIME-"/><output-suffix value="_${{UTC}}"/>
+            <device.rerouting.output value="weights.xml"/></configuration>""")
+        call = ("compare", "-c", city, "--seeds", 1)
+        self.assertNotIn("rerouting.output", self.succeeds(*call, "-o", folder / "o", "--arms", "device,evolved").err)
+        times = "20*-*-*-*-*-*"
+        for arm in ("device", "evolved"):
+            self.assertEqual(len(list((folder / "o" / arm).glob(f"*/{times}-statistics_{times}.xml"))), 1)
+        self.assertEqual([file.parts[-3] for file in (folder / "o").glob(f"*/*/{times}-weights_{times}.xml")], ["device"])
+        told = self.succeeds(*call, "-o", folder / "none", "--arms", "given,evolved").err
+        self.assertEqual(told.count("device.rerouting.output is not written"), 1)
+
+
 @expand
 class CompareFails(support.TestCase):
     def test_an_option_that_sumo_does_not_know(self):
@@ -223,6 +256,7 @@ class CompareFails(support.TestCase):
         (os.kill if where == "the_program" else os.killpg)(process.pid, signal.SIGINT)
         result = self.end(process)
         self.assertEqual(result.exit, 1, result)
+        self.assertIn("static, seed 23423, was interrupted", result.out)
         comparison = json.loads((folder / "comparison.json").read_text())
         self.assertTrue(any(arm["runs"] for arm in comparison["arms"]))
         outputs = [file for name in ("tripinfo.xml", "statistics.xml", "edgedata.xml") for file in folder.rglob(name)]
@@ -251,11 +285,35 @@ class CompareFails(support.TestCase):
         process.send_signal(getattr(signal, "SIG" + name.upper()))
         result = self.end(process)
         self.assertEqual(result.exit, 1, result)
-        self.assertIn("interrupted", result.err)
+        self.assertRegex(result.err, r"Warning: interrupted at \d+")
+        self.assertRegex(result.out, r"\n  forecast +\d+\.\d")  # the figures up to there
         for name in ("tripinfo.xml", "statistics.xml", "decisions.xml.gz"):
             self.assertGreater(len(read_xml(folder / name)), 0, name)
         summary = json.loads((folder / "run.json").read_text())
         self.assertEqual(summary["vehicles"], sum(summary[part] for part in PARTS))
+
+    def kill_program(self, process):
+        """With -9; returns when its children are gone, too."""
+        children = self.children(process)
+        process.kill()
+        process.communicate(timeout=60)
+        self.wait_for(lambda: not any(is_alive(pid) for pid in children))
+
+    def test_duarouter_does_not_outlive_us(self):
+        folder = self.folder()
+        process = self.start("run", "-c", HEAVY, "-o", folder)
+        self.wait_for(lambda: any(name_of(pid) == "duarouter" for pid in self.children(process)))
+        os.kill(self.children(process)[0], signal.SIGSTOP)  # else it ends in any case
+        self.kill_program(process)
+
+    def test_runs_do_not_outlive_us(self):
+        """They end in order, with what they have."""
+        folder = self.folder()
+        process = self.start("compare", "-c", HEAVY, "-o", folder, "--arms", "static", "--seeds", 1)
+        self.wait_for(lambda: self.simulating(folder))
+        self.kill_program(process)
+        summary = json.loads((folder / "static" / "23423" / "run.json").read_text())
+        self.assertEqual(summary["error"], "interrupted")
 
     def test_a_child_that_is_killed(self):
         folder = self.folder()

@@ -75,6 +75,24 @@ class OtherCities(support.GridCase):
                          [("person", "pf"), ("person", "u")])
         self.succeeds("compare", "-c", file, "-o", self.place / "compare", "--arms", "static", "--seeds", 1)
 
+    def test_a_city_of_persons(self):
+        file = self.city(['<person id="p" depart="1"><walk from="A0A1" to="C4C3"/></person>',
+                          '<container id="c" depart="1"><tranship from="A0A1" to="A1A2"/></container>'])
+        result = self.succeeds("compare", "-c", file, "-o", self.place / "compare", "--seeds", 2)
+        self.assertIn("the demand has no vehicles", result.err)
+        self.assertRegex(result.out, r"\n  forecast +0 +0 +0")
+        walked = read_xml(self.place / "compare" / "forecast" / "23423" / "tripinfo.xml")
+        self.assertEqual(sorted(trip.get("id") for trip in walked), ["c", "p"])
+
+    def test_a_city_of_calibrators(self):
+        """What a calibrator inserts is no vehicle of the demand, and told apart."""
+        calibrator = """<route id="r" edges="A0A1 A1A2 A2A3"/><calibrator id="c" edge="A0A1" pos="0" period="60">
+            <flow begin="0" end="300" route="r" vehsPerHour="600" speed="10"/></calibrator>"""
+        file = self.city([], '<end value="400"/>', calibrator)
+        result = self.succeeds("run", "-c", file, "-o", self.place / "run")
+        self.assertIn("not of the demand (forecast 50 a run;", result.out)
+        self.assertEqual(support.Run(self.place / "run").summary["unknown"], 50)
+
     @on_each(("alone", "and_begin"))
     def test_a_state_is_gone_on_with(self, how):
         """Who is on the road in it is led as everybody is; who had arrived is not in this run."""
@@ -92,6 +110,19 @@ class OtherCities(support.GridCase):
         on_the_road = {f"t{i}" for i in range(100)} - past
         self.assertGreater(len(on_the_road & {d.get("vehicle") for d in result.decisions()}), 60)
         self.assertNotIn("Invalid route", (result.folder / "sumo.log").read_text())
+
+    def test_a_state_with_flows(self):
+        """It has the flows as well: nobody is inserted by the state and by the demand (nobody is 'unknown')."""
+        ends = 'from="A0A1" to="C4C3"'
+        file = self.city([f'<flow id="p" begin="0" end="900" probability="0.1" {ends}/>',
+                          f'<flow id="r" begin="5" end="905" period="10" {ends}/>'], '<load-state value="state.xml"/>')
+        run_tool("sumo", "-n", self.net, "-r", self.place / "trips.xml", "--end", 101, "--save-state.times", 100,
+                 "--save-state.files", self.place / "state.xml")
+        self.assertEqual(sum(e.tag == "flowState" for e in read_xml(self.place / "state.xml")), 2)
+        run = self.run_city("-c", file)
+        departs = [float(trip.get("depart")) for trip in run.trips.values() if trip.get("id").startswith("r.")]
+        self.assertEqual(len([depart for depart in departs if depart >= 100]), 80)  # from 105 to 895
+        self.assertEqual(run.summary["finished"], len(read_xml(run.folder / "tripinfo.xml")))
 
     def test_a_state_beside_the_configuration(self):
         result = support.thalweg("run", "-c", self.city([]), "-o", self.place / "o", "--", "--load-state", "state.xml")

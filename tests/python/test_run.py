@@ -186,6 +186,26 @@ class SmallGrid(support.GridCase):
             changed = {d.get("vehicle") for d in run.decisions() if d.get("changed") == "true"}
             self.assertTrue(any(vehicle.startswith("s") for vehicle in changed), "nobody with stops was re-routed")
 
+    @on_each(("device", "evolved", "forecast"))
+    def test_a_loop_is_cut_as_by_sumo(self, strategy):
+        """Round the block and on: SUMO's device drives on at once, unless there is a stop on the way; so do we."""
+        loop = '<route edges="A0A1 A1B1 B1B0 B0A0 A0A1 A1A2 A2A3"/>'
+        run = self.drive([f'<vehicle id="round" depart="0">{loop}</vehicle>',
+                          f'<vehicle id="stops" depart="60">{loop}<stop edge="B1B0" duration="5"/></vehicle>'],
+                         "--strategy", strategy)
+        self.assertEqual(run.routes()["round"], ["A0A1", "A1A2", "A2A3"])
+        self.assertEqual(run.routes()["stops"], ["A0A1", "A1B1", "B1B0", "B0A0", "A0A1", "A1A2", "A2A3"])
+
+    def test_warnings_of_sumo_do_not_drown_ours(self):
+        """The same for many vehicles: three, and how many more; the log has them all."""
+        trips = [f'<trip id="q{i}" depart="0" from="A0B0" to="D4E4"/>' for i in range(60)]
+        folder = self.place / "run"
+        result = self.succeeds("run", "-n", self.net, "-r", self.trips(trips), "-o", folder, "--", "--time-to-teleport", 5)
+        all_of_them = (folder / "sumo.log").read_text().count("waited too long")
+        self.assertGreater(all_of_them, 10)
+        self.assertEqual(len([line for line in result.err.splitlines() if line.startswith("Warning: Teleporting")]), 3)
+        self.assertRegex(result.err, rf"\.\.\. and {all_of_them - 3} more like this one of SUMO's: Teleporting .*sumo\.log")
+
     def test_buses_are_left_alone(self):
         bus = '<vType id="bus" vClass="bus"/>'
         route = "A0B0 B0C0 C0D0 D0D1 D1D2 D2C2 C2C3 C3C4"

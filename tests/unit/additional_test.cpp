@@ -145,6 +145,15 @@ TEST_F(Additional, TheUsersFolderStaysAsItWas) {
   EXPECT_FALSE(fs::exists(folder / "city/sub"));
 }
 
+TEST(OutputPlaces, TheSuffixIsBeforeTheExtension) {
+  const TemporaryFolder folder;
+  OutputPlaces places(folder.path(), "p-", "-s");
+  EXPECT_EQ(places.place("out.xml", "/a"), folder / "p-out-s.xml");
+  EXPECT_EQ(places.place("out.xml.gz", "/a"), folder / "p-out-s.xml.gz");
+  EXPECT_EQ(places.place("sub.d/out", "/a"), folder / "sub.d/p-out-s");
+  EXPECT_EQ(places.place(".gz", "/a"), folder / "p--s.gz");
+}
+
 TEST(OutputPlaces, EachFileOfTheUsersHasAPlaceOfItsOwn) {
   const TemporaryFolder folder;
   OutputPlaces places(folder.path(), "s1-");
