@@ -32,11 +32,13 @@ for arm in re.split(r",(?![\w.]+=)", value["--arms"]):
     bad = arm == "one-shot"
     folder = pathlib.Path(value["-o"]) / re.sub("[:, ]", "_", arm) / value["--seed"]
     folder.mkdir(parents=True)
-    (folder / "run.json").write_text(json.dumps({
+    part = folder / "part"  # nobody reads half a file: the program writes it so as well
+    part.write_text(json.dumps({
         "arm": arm, "seed": int(value["--seed"]), "vehicles": 5, "finished": 5, "running": 0, "waiting": 0,
         "commute_mean": 100.0 + len(arm), "duration_mean": 100.0, "depart_delay_mean": 0.5,
         "teleports": {"jam": 1, "yield": 2, "wrong_lane": 0, "collision": 0}, "reroutes": 3, "router_cpu_s": 0.5,
         "simulation_cpu_s": 1.5, "exit": int(bad), "error": "a gridlock" if bad else None}))
+    part.rename(folder / "run.json")
 """
 
 
