@@ -32,8 +32,7 @@ void PredictionLedger::predicted(VehicleId vehicle, Millis now, Millis arrival, 
 
 void PredictionLedger::arrived(VehicleId vehicle, Millis now) {
   for (const Prediction& prediction : open_[vehicle]) {
-    const auto next =
-        std::upper_bound(horizons.begin() + 1, horizons.end(), prediction.arrival - prediction.made);
+    const auto next = std::upper_bound(horizons.begin() + 1, horizons.end(), now - prediction.made);
     HorizonError& error = out_[static_cast<std::size_t>(next - horizons.begin()) - 1];
     ++error.predictions;
     error.realised += to_seconds(now - prediction.made);

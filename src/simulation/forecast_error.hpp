@@ -30,7 +30,8 @@ struct HorizonError {
   HorizonError& operator+=(const HorizonError& other);
 };
 
-/// By the time left that the router predicted: from each of these up to the next.
+/// By the time that was really left: from each of these up to the next. Not by what the router predicted:
+/// its too long predictions would be gathered in the far horizons, where the other's are not looked for.
 inline constexpr std::array<Millis, 4> horizons{0, 300'000, 600'000, 1'200'000};
 using ForecastError = std::array<HorizonError, horizons.size()>;
 
