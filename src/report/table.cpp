@@ -166,11 +166,19 @@ void print_warnings(const Comparison& comparison, const Labels& labels, std::str
         "One seed is one observation: there are no intervals, and no difference means anything yet.");
   }
   if (const auto arms =
-          arms_with(comparison, labels, [](const RunSummary& run) { return run.teleports.total(); });
+          arms_with(comparison, labels, [](const RunSummary& run) { return run.teleports.stuck(); });
       !arms.empty()) {
     warnings.push_back(
         fmt::format("Vehicles were teleported ({} a run): a gain that needs teleports is no gain. "
                     "Compare again with `-- --time-to-teleport -1`.",
+                    arms));
+  }
+  if (const auto arms =
+          arms_with(comparison, labels, [](const RunSummary& run) { return run.teleports.collision; });
+      !arms.empty()) {
+    warnings.push_back(
+        fmt::format("Vehicles were teleported after collisions ({} a run). "
+                    "Compare again with `-- --collision.action warn`.",
                     arms));
   }
   if (const auto arms = arms_with(comparison, labels,

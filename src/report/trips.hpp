@@ -54,7 +54,9 @@ struct Teleports {
   std::uint64_t wrong_lane = 0;
   std::uint64_t collision = 0;
 
-  [[nodiscard]] std::uint64_t total() const { return jam + yield + wrong_lane + collision; }
+  /// Those that waited too long (--time-to-teleport).
+  [[nodiscard]] std::uint64_t stuck() const { return jam + yield + wrong_lane; }
+  [[nodiscard]] std::uint64_t total() const { return stuck() + collision; }
 };
 
 /// One run of one arm: what a comparison needs to know of it.

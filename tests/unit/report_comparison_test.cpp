@@ -167,6 +167,17 @@ TEST(Table, NamesTheFailedArmInSumosWords) {
   EXPECT_NE(text.find("One seed is one observation"), std::string::npos) << text;
 }
 
+/// They are SUMO's answer to two things, and switched off by two options.
+TEST(Table, TellsTeleportsAfterWaitingFromThoseAfterCollisions) {
+  Arm still = arm("static", {100});
+  still.runs[0].teleports = {.wrong_lane = 7};
+  Arm crashes = arm("forecast", {100});
+  crashes.runs[0].teleports = {.collision = 5};
+  const auto text = format_table(comparison_of({still, crashes}));
+  EXPECT_NE(text.find("Vehicles were teleported (static 7 a run)"), std::string::npos) << text;
+  EXPECT_NE(text.find("teleported after collisions (forecast 5 a run)"), std::string::npos) << text;
+}
+
 TEST(Table, SaysHowWellArrivalsWerePredicted) {
   Arm forecast = arm("forecast", {100, 110});
   for (RunSummary& run : forecast.runs) {
