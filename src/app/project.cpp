@@ -15,6 +15,7 @@
 #include "core/error.hpp"
 #include "core/nearest.hpp"
 #include "network/read_network.hpp"
+#include "simulation/run_folder.hpp"
 #include "xml/writer.hpp"
 
 namespace thalweg {
@@ -173,10 +174,16 @@ std::vector<OptionSpec> project_options() {
   return specs;
 }
 
-void warn_of_rerouting_output(const Settings& settings, std::span<const ArmSpec> arms) {
+void warn_of_outputs(const Settings& settings, std::span<const ArmSpec> arms) {
   const bool is_written = std::ranges::any_of(arms, [](const ArmSpec& arm) { return arm.has_device(); });
   if (settings.find("device.rerouting.output") && !is_written)
     warn("device.rerouting.output is not written: only SUMO's own device has it (device, one-shot)");
+  for (const char* option : {"tripinfo-output", "statistic-output", "vehroute-output"}) {
+    const auto file = settings.find(option);
+    if (file && !file->empty() && !is_readable_output(*file))
+      warn(fmt::format("{} '{}' is written as XML under a name of its own: it is read afterwards", option,
+                       *file));
+  }
 }
 
 Project load_project(Options& options, const std::function<void(const SumoOptions&)>& check) {

@@ -33,7 +33,8 @@ std::vector<OptionSpec> project_options();
 /// `check` looks at the command's own options once the configuration is read, before the work begins.
 Project load_project(Options& options, const std::function<void(const SumoOptions&)>& check);
 
-/// Tells the user when he names a file that none of the arms writes: device.rerouting.output.
-void warn_of_rerouting_output(const Settings& settings, std::span<const ArmSpec> arms);
+/// Tells which of the user's outputs come under another name than his, or not at all because no arm writes
+/// them (device.rerouting.output).
+void warn_of_outputs(const Settings& settings, std::span<const ArmSpec> arms);
 
 }  // namespace thalweg

@@ -38,13 +38,11 @@ bool is_of_other_device(const std::string& name, const ArmSpec& arm) {
   return name.starts_with("device.rerouting.") && !(arm.has_device() && name == "device.rerouting.output");
 }
 
-/// An output that we read must be XML under a known name; the user's name is kept where it is one.
+/// Where the user's name for an output that we read is kept; else it has the name `file`.
 fs::path readable_output(Settings& run, OutputPlaces& places, std::string_view option,
                          std::string_view file) {
-  const std::string value = run.find(option).value_or("");
-  const bool is_xml = value.ends_with(".xml") || value.ends_with(".xml.gz");
-  const bool is_known = value.find("${") == std::string::npos;  // else SUMO fills in the time
-  if (!is_xml || !is_known) run.set(option, places.place(file, places.folder()));
+  if (!is_readable_output(run.find(option).value_or("")))
+    run.set(option, places.place(file, places.folder()));
   return *run.find(option);
 }
 
@@ -71,6 +69,11 @@ fs::path write_edge_data(const fs::path& folder) {
 }
 
 }  // namespace
+
+bool is_readable_output(std::string_view file) {
+  const bool is_xml = file.ends_with(".xml") || file.ends_with(".xml.gz");
+  return is_xml && file.find("${") == std::string_view::npos;  // SUMO fills in the time
+}
 
 RunFolder make_run_folder(const fs::path& folder, const Settings& user, const SumoOptions& options,
                           const DemandFiles& demand, const ArmSpec& arm, std::uint64_t seed,

@@ -21,6 +21,9 @@ struct RunFolder {
   std::filesystem::path errors;     ///< SUMO's warnings and errors
 };
 
+/// An output that we read must be XML under a known name.
+bool is_readable_output(std::string_view file);
+
 /// Makes the folder ready: the user's configuration with the prepared demand in place of his, outputs and
 /// detectors' files moved into the folder, device.rerouting as the arm has it and nothing else. `header`: a
 /// comment on top of it.
