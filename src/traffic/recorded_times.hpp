@@ -11,8 +11,8 @@ namespace thalweg {
 /// The travel times of one run as SUMO recorded them (edgeData with a period, internal roads included): of
 /// every road by the time of entering it. Linear between the middles of the intervals, and made so that
 /// leaving later never arrives earlier: who is on a road is not passed by one that enters later, so that the
-/// time of an interval is at most that of the next and the way to it. A road that nobody drove in an interval
-/// takes the (lower) median of the others, one that nobody ever drove its free flow.
+/// time of an interval is at most that of the next and the way to it. A road that nobody crossed in an
+/// interval takes the (lower) median of the others, one that nobody ever crossed its free flow.
 class RecordedTimes {
  public:
   /// InputError: no edgeData, or its intervals are not of one length and one after the other.

@@ -19,14 +19,16 @@ namespace {
 //       C-D
 class Gap : public ::testing::Test {
  protected:
-  /// Each text is an interval of 300 s: "AB 100, CD 20".
+  /// Each text is an interval of 300 s: "AB 100,CD 20"; "AB 100 40" is with the seconds that were driven
+  /// there.
   std::filesystem::path edge_data(const std::vector<std::string>& intervals) {
     std::string text = "<meandata>";
     for (std::size_t i = 0; i < intervals.size(); ++i) {
       text += fmt::format("<interval begin='{}' end='{}' id='x'>", 300 * i, 300 * (i + 1));
       for (const auto entry : split(intervals[i], ",")) {
         const auto words = split(entry, " ");
-        text += fmt::format("<edge id='{}' traveltime='{}'/>", words[0], words[1]);
+        const auto driven = words.size() > 2 ? fmt::format(" sampledSeconds='{}'", words[2]) : std::string();
+        text += fmt::format("<edge id='{}' traveltime='{}'{}/>", words[0], words[1], driven);
       }
       text += "</interval>";
     }
@@ -131,6 +133,14 @@ TEST_F(Gap, RecordedTimesAreThoseOfTheMiddlesOfTheIntervals) {
       << "nobody is faster than free flow";
   EXPECT_EQ(RecordedTimes(edge_data({"AB 9000", "AB 20"}), net).leave(road(net, "AB"), 0, 10'000), 320'000)
       << "who enters in the second interval does not pass";
+}
+
+// One waits at the end of AB for 9.5 s of an interval and goes 20 cm: no crossing of four hours.
+TEST_F(Gap, AnIntervalThatNobodyCrossedInIsNotRecorded) {
+  const RecordedTimes times(edge_data({"AB 13753 9.5", "AB 20 20", "CD 50 49"}), net);
+  EXPECT_EQ(times.leave(road(net, "AB"), 0, 10'000), 20'000);
+  EXPECT_EQ(times.leave(road(net, "CD"), 700'000, 10'000), 710'000)
+      << "its free flow: nobody ever crossed it";
 }
 
 }  // namespace
