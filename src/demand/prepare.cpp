@@ -25,9 +25,13 @@ bool by_id(const DroppedVehicle& a, const DroppedVehicle& b) { return a.id < b.i
 /// The flow that a vehicle or a person came from: "flow.3".
 std::string flow_of(const std::string& id) { return id.substr(0, id.rfind('.')); }
 
-std::unordered_set<std::string> flows_of(const std::unordered_set<std::string>& ids) {
+/// Of all but those that have these ids as their `own`.
+std::unordered_set<std::string> flows_of(const std::unordered_set<std::string>& ids,
+                                         const std::unordered_set<std::string>& own) {
   std::unordered_set<std::string> flows;
-  for (const auto& id : ids) flows.insert(flow_of(id));
+  for (const auto& id : ids) {
+    if (!own.contains(id)) flows.insert(flow_of(id));
+  }
   return flows;
 }
 
@@ -90,7 +94,7 @@ std::unordered_set<std::string> write_given(const fs::path& routed, const fs::pa
 /// Those that duarouter has said something of, and that it has not written.
 void note_lost_persons(const std::string& log, const std::unordered_set<std::string>& written,
                        Demand& demand) {
-  const auto flows = flows_of(written);
+  const auto flows = flows_of(written, {});
   for (const auto& [id, reason] : reasons_of_persons(log)) {
     if (!written.contains(id) && !flows.contains(id))
       demand.lost_persons.push_back({.id = id, .reason = reason});
@@ -101,10 +105,7 @@ void note_lost_persons(const std::string& log, const std::unordered_set<std::str
 /// The flows without a single vehicle that duarouter has said something of; the others have none to come.
 void note_lost_flows(const InputScan& scan, const std::unordered_set<std::string>& present,
                      const std::unordered_map<std::string, std::string>& reasons, Demand& demand) {
-  std::unordered_set<std::string> alive;
-  for (const auto& id : present) {
-    if (!scan.seen.contains(id)) alive.insert(flow_of(id));
-  }
+  const auto alive = flows_of(present, scan.seen);
   for (const auto& id : scan.flows) {
     const auto reason = reasons.find(id);
     if (reason == reasons.end() || alive.contains(id)) continue;

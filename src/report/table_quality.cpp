@@ -66,19 +66,18 @@ void print_forecast_errors(const Comparison& comparison, const Labels& labels, s
   });
   if (arms.empty()) return;
   TextTable table(
-      "Mean absolute error in s of the predicted time left, by the time that was left (x that of the "
-      "measured "
-      "times)",
+      "Mean absolute error in s of the predicted time left, "
+      "by the time that was left (x that of the measured times)",
       names_of(arms, comparison, labels), labels.width);
   for (std::size_t i = 0; i < horizons.size(); ++i) {
     table.column(horizon_text(i),
                  cells_of(arms, [&](const Arm& arm) { return error_text(pooled(arm, i, 1)); }));
   }
-  table.column("all",
-               cells_of(arms, [](const Arm& arm) { return error_text(pooled(arm, 0, horizons.size())); }));
+  const auto all_of = [](const Arm& arm) { return pooled(arm, 0, horizons.size()); };
+  table.column("all", cells_of(arms, [&](const Arm& arm) { return error_text(all_of(arm)); }));
   const auto bias = [&](ErrorSums HorizonError::*whose) {
     return cells_of(arms, [&](const Arm& arm) {
-      const HorizonError all = pooled(arm, 0, horizons.size());
+      const HorizonError all = all_of(arm);
       return decimals(100 * (all.*whose).difference / all.realised, 1, true);
     });
   };

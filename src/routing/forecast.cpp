@@ -90,10 +90,11 @@ class ForecastStrategy : public Strategy {
     if (!view.costs) {
       view.costs.emplace(foresight_->network(), *traffic.graph);
       view.potentials.emplace(traffic.graph->turns(), order_cache_);
+      // Places that are given back make roads faster than they were foretold.
+      if (manners_.books) view.potentials->refresh(view.costs->free_flow(), workers_.size());
     }
     view.costs->refresh(foresight_->expected(), foresight_->forecast_at());
-    // Places that are given back make roads faster than they were foretold.
-    view.potentials->refresh(manners_.books ? view.costs->free_flow() : view.costs->least(), workers_.size());
+    if (!manners_.books) view.potentials->refresh(view.costs->least(), workers_.size());
   }
 
   /// Its share of what it costs the others that it enters the road at this time.

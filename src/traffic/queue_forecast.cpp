@@ -72,8 +72,9 @@ void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now)
   if (vehicle.route.empty()) return;
   if (vehicle.state == FleetVehicle::State::waiting) {
     insertion_[id] = from_seconds(horizon_);  // unless its turn comes
-    add({.road = &vehicle.route.front(), .last = &vehicle.route.back(), .vehicle = id},
-        std::max(0.0, to_seconds(vehicle.depart) - now), Kind::departs);
+    Mover mover = on(vehicle.route);
+    mover.vehicle = id;
+    add(mover, std::max(0.0, to_seconds(vehicle.depart) - now), Kind::departs);
     return;
   }
   if (vehicle.is_lost || !vehicle.lane.valid()) return;
@@ -91,11 +92,10 @@ void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now)
   }
   ++occupancy_[vehicle.route[position]];
   leaving_[id] = {.road = vehicle.route[position], .time = from_seconds(horizon_)};
-  add({.road = &vehicle.route[position],
-       .last = &vehicle.route.back(),
-       .preferred = preferred,
-       .vehicle = id},
-      time, Kind::reaches_end);
+  Mover mover = on(vehicle.route, position);
+  mover.preferred = preferred;
+  mover.vehicle = id;
+  add(mover, time, Kind::reaches_end);
 }
 
 void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
@@ -108,8 +108,7 @@ void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
   auto next = std::upper_bound(expected_.begin(), expected_.end(), known_until,
                                [](Millis time, const Departure& departure) { return time < departure.time; });
   for (; next != expected_.end() && to_seconds(next->time - now) <= horizon_; ++next)
-    add({.road = &next->route.front(), .last = &next->route.back()}, to_seconds(next->time - now),
-        Kind::departs);
+    add(on(next->route), to_seconds(next->time - now), Kind::departs);
 }
 
 void QueueForecast::repeat_departures(Millis known_until, Millis now) {
@@ -117,9 +116,7 @@ void QueueForecast::repeat_departures(Millis known_until, Millis now) {
     if (departure.time <= known_until - options_.repeated || departure.time > known_until) continue;
     for (Millis time = departure.time + options_.repeated; to_seconds(time - now) <= horizon_;
          time += options_.repeated) {
-      if (time > known_until)
-        add({.road = &departure.route.front(), .last = &departure.route.back()}, to_seconds(time - now),
-            Kind::departs);
+      if (time > known_until) add(on(departure.route), to_seconds(time - now), Kind::departs);
     }
   }
 }

@@ -92,6 +92,10 @@ class QueueForecast {
     std::uint32_t last = none;
   };
 
+  /// Who drives the route, which outlives the run, from this road on.
+  static Mover on(const std::vector<RoadId>& route, std::size_t position = 0) {
+    return {.road = &route[position], .last = &route.back()};
+  }
   void place(VehicleId id, const FleetVehicle& vehicle, double now);
   void assume_departures(const Fleet& fleet, Millis now);
   void repeat_departures(Millis known_until, Millis now);
