@@ -15,7 +15,8 @@ std::string seconds(Millis t) { return fmt::format("{}", to_seconds(t)); }
 
 std::vector<OptionSpec> routing_options() {
   const ControlOptions control;
-  const ChoiceRule rule = StrategyOptions{}.rule;
+  const StrategyOptions strategy;
+  const ChoiceRule& rule = strategy.rule;
   std::vector<OptionSpec> specs{
       {"routing", "period", 0, "STR", seconds(control.period),
        "Every vehicle reconsiders once a period; 'step': at each step"},
@@ -31,6 +32,9 @@ std::vector<OptionSpec> routing_options() {
       {"routing", "gain.spread", 0, "FLOAT", fmt::format("{}", rule.spread),
        "and up to this share on top, different for each vehicle"},
       {"routing", "gain.absolute", 0, "TIME", seconds(rule.absolute), "and more than this time"},
+      {"routing", "toll", 0, "FLOAT", fmt::format("{}", strategy.toll),
+       "forecast, memory: share of the delay that it causes behind it in queues that a vehicle counts as its "
+       "own"},
       {"routing", "stall", 0, "TIME", seconds(control.stall),
        "A run without an end stops when nothing has arrived for so long"},
       threads_option(),
@@ -80,9 +84,12 @@ ControlOptions control_options(const Options& options) {
 }
 
 StrategyOptions strategy_options(const Options& options) {
+  const double toll = options.number("toll");
+  verify(toll >= 0 && toll <= 10, "--toll must be from 0 to 10");
   return {.rule = {.relative = options.number("gain.relative"),
                    .spread = options.number("gain.spread"),
                    .absolute = options.time("gain.absolute")},
+          .toll = toll,
           .threads = thread_count(options),
           .order_cache = order_cache(options)};
 }

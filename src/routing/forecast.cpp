@@ -14,11 +14,14 @@ namespace {
 
 /// What a strategy of this kind does beside looking ahead.
 struct Manners {
-  bool books = false;  ///< who decides sees what those before it in the same round have decided
   double toll = 0;     ///< share of what a vehicle costs the others that counts as a cost of its own
+  bool books = false;  ///< who decides sees what those before it in the same round have decided; tolls do not
 };
 
-/// Routes by the times that a queue forecast expects.
+/// Routes by the times that a queue forecast expects, and by a share of the delay that a vehicle causes to
+/// those behind it: each by its own time alone is Wardrop's equilibrium, with all of that delay it would be
+/// the least for all together (Pigou 1920; Merchant, Nemhauser 1978), were the forecast exact. Nobody is sent
+/// on a way that is expected to be later for itself.
 class ForecastStrategy : public Strategy {
  public:
   ForecastStrategy(const StrategyOptions& options, const Manners& manners)
@@ -29,6 +32,9 @@ class ForecastStrategy : public Strategy {
         workers_(std::max<std::size_t>(1, options.threads)) {}
 
   [[nodiscard]] bool looks_ahead() const override { return true; }
+  [[nodiscard]] Look next_look(Millis now) const override {
+    return foresight_ && !foresight_->is_round_due(now) ? Look::lanes : Look::positions;
+  }
 
   void watch(const TrafficState& state) override {
     if (!foresight_) foresight_.emplace(state, memory_, ForecastOptions{.tolls = manners_.toll > 0});
@@ -205,7 +211,7 @@ class ForecastStrategy : public Strategy {
     }
     decision.new_cost = best.arrival - begin + last;
     // What it owes the others counts for the choice only, not for the time that is foretold.
-    decision.change = decision.route != traveller.route &&
+    decision.change = decision.route != traveller.route && decision.new_cost <= decision.old_cost &&
                       rule_.prefers(traveller, add_saturating(decision.old_cost, old.owed),
                                     add_saturating(decision.new_cost, best.owed));
   }
@@ -246,7 +252,7 @@ class ForecastStrategy : public Strategy {
 }  // namespace
 
 std::unique_ptr<Strategy> make_forecast(const StrategyOptions& options) {
-  return std::make_unique<ForecastStrategy>(options, Manners{});
+  return std::make_unique<ForecastStrategy>(options, Manners{.toll = options.toll});
 }
 
 std::unique_ptr<Strategy> make_booking(const StrategyOptions& options) {
@@ -254,7 +260,7 @@ std::unique_ptr<Strategy> make_booking(const StrategyOptions& options) {
 }
 
 std::unique_ptr<Strategy> make_marginal(const StrategyOptions& options) {
-  return std::make_unique<ForecastStrategy>(options, Manners{.books = true, .toll = 0.1});
+  return std::make_unique<ForecastStrategy>(options, Manners{.toll = 1});
 }
 
 }  // namespace thalweg

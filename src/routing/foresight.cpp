@@ -33,7 +33,7 @@ bool Foresight::watch(const TrafficState& state) {
   discharge_.observe(state.fleet, state.now);
   forecast_.observe(state.fleet, state.now);
   hindsight_.observe(state.fleet, state.now);
-  if (state.now < next_round_ && state.conditions.version() == conditions_version_) return false;
+  if (!is_round_due(state.now)) return false;
   conditions_version_ = state.conditions.version();
   next_round_ = state.now + round;
   forecast_at_ = state.now;

@@ -27,6 +27,10 @@ class Foresight {
 
   /// True after a new forecast.
   bool watch(const TrafficState& state);
+  /// Whether `watch` will look ahead anew, which takes everybody's position on its road.
+  [[nodiscard]] bool is_round_due(Millis now) const {
+    return now >= next_round_ || conditions_.version() != conditions_version_;
+  }
 
   [[nodiscard]] const Network& network() const { return network_; }
   [[nodiscard]] Millis now() const { return now_; }

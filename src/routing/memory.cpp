@@ -46,6 +46,7 @@ class MemoryStrategy : public Strategy {
       : memory_(options.memory), forecast_(make_forecast(options)) {}
 
   [[nodiscard]] bool looks_ahead() const override { return true; }
+  [[nodiscard]] Look next_look(Millis now) const override { return forecast_->next_look(now); }
 
   void watch(const TrafficState& state) override {
     if (!lived_) begin_day(state);

@@ -87,6 +87,8 @@ class Strategy {
   virtual ~Strategy() = default;
   /// Whether `watch` wants to be called: keeping the fleet costs time.
   [[nodiscard]] virtual bool looks_ahead() const { return false; }
+  /// How closely it wants to look at the traffic now.
+  [[nodiscard]] virtual Look next_look(Millis /*now*/) const { return Look::roads; }
   /// After every look at the traffic, before those who are due decide.
   virtual void watch(const TrafficState& /*state*/) {}
   /// decisions[i] belongs to due[i]. The result does not depend on the number of threads.
@@ -101,6 +103,8 @@ class Strategy {
 
 struct StrategyOptions {
   ChoiceRule rule{};
+  /// Share of the delay that it causes behind it that a vehicle counts as its own: `forecast`, `memory`.
+  double toll = 0.4;
   std::size_t threads = 1;
   OrderCache order_cache{};        ///< of the hierarchy; nowhere by default
   const Memory* memory = nullptr;  ///< of the days before, for `memory`; outlives the strategy

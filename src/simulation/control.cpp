@@ -66,7 +66,7 @@ class Controller {
       std::fill(last_questions_.begin(), last_questions_.end(), Question{});
     }
     if (simulation_.now() >= next_sample_) {
-      const auto observations = simulation_.observe(strategy_.looks_ahead());
+      const auto observations = simulation_.observe(strategy_.next_look(simulation_.now()));
       measured_.sample(observations);
       if (strategy_.looks_ahead()) {
         watch(observations);

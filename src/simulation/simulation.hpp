@@ -43,9 +43,8 @@ class Simulation {
 
   virtual void step() = 0;
   [[nodiscard]] virtual const StepEvents& events() const = 0;
-  /// All vehicles on the roads now, in an order that depends on the run alone; with their lanes and positions
-  /// on request, which takes longer.
-  virtual std::span<const Observation> observe(bool with_lanes) = 0;
+  /// All vehicles on the roads now, in an order that depends on the run alone.
+  virtual std::span<const Observation> observe(Look look) = 0;
   /// The programme that runs at a signal now; without phases where it is switched off.
   virtual SignalProgramme programme(SignalId signal) = 0;
   /// Its id, in far less time.

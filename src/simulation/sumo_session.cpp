@@ -78,12 +78,16 @@ class SumoSession : public Simulation {
     });
   }
 
-  std::span<const Observation> observe(bool with_lanes) override {
+  std::span<const Observation> observe(Look look) override {
     observations_.clear();
     for (std::size_t i = 0; i < running_.size();) {
       try {
-        const bool is_seen = with_lanes ? look_at_lane(running_[i]) : look_at_road(running_[i]);
-        if (is_seen) observations_.back().speed = libsumo::Vehicle::getSpeed(running_[i].name);
+        const Running& vehicle = running_[i];
+        if (look == Look::roads ? look_at_road(running_[i]) : look_at_lane(running_[i])) {
+          Observation& seen = observations_.back();
+          seen.speed = libsumo::Vehicle::getSpeed(vehicle.name);
+          if (look == Look::positions) seen.position = libsumo::Vehicle::getLanePosition(vehicle.name);
+        }
         ++i;
       } catch (const libsumo::TraCIException&) {
         forget(std::string(running_[i].name));  // gone without an arrival
@@ -225,10 +229,8 @@ class SumoSession : public Simulation {
     const Road& road = network_.roads[vehicle.road];
     const auto index = parse_integer<std::uint32_t>(std::string_view(name).substr(mark + 1));
     if (!index || *index >= road.lane_count) return false;
-    observations_.push_back({.road = vehicle.road,
-                             .vehicle = vehicle.id,
-                             .lane = LaneId{road.first_lane.value + *index},
-                             .position = libsumo::Vehicle::getLanePosition(vehicle.name)});
+    observations_.push_back(
+        {.road = vehicle.road, .vehicle = vehicle.id, .lane = LaneId{road.first_lane.value + *index}});
     return true;
   }
 

@@ -20,7 +20,7 @@ struct FleetVehicle {
   std::vector<RoadId> route{};  ///< from its first road to its last
   std::size_t position = 0;     ///< in `route`: the road it is on, or has just left
   LaneId lane{};                ///< of that road; invalid: not seen yet
-  double metres = 0;            ///< driven on that road
+  double metres = 0;            ///< driven on that road; after a look at positions
   double speed = 0;             ///< m/s
 };
 

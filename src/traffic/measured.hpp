@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,13 +10,16 @@
 
 namespace thalweg {
 
+/// How closely one looks at the vehicles, each with all that comes before it. Closer takes longer.
+enum class Look : std::uint8_t { roads, lanes, positions };
+
 /// Where a vehicle is at this moment.
 struct Observation {
   RoadId road;          ///< internal ones included
   double speed = 0;     ///< m/s
   VehicleId vehicle{};  ///< invalid: the demand does not name it
-  LaneId lane{};        ///< this and the next only where lanes were asked for
-  double position = 0;  ///< m from the beginning of the lane
+  LaneId lane{};        ///< from Look::lanes on
+  double position = 0;  ///< m from the beginning of the lane; with Look::positions
 };
 
 /// What was seen of a road over the window: the travel time is their quotient (Edie 1963).

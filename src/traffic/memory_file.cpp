@@ -78,18 +78,27 @@ class RoutesHandler : public xml::Handler {
 
   void start(const xml::Element& element) override {
     if (element.name() == "vehicle") {
-      memory_.trips.push_back(
-          {.vehicle = std::string(element.require("id")), .depart = element.time("depart")});
+      const Millis depart = element.time("depart");
+      if (!memory_.trips.empty() && depart < memory_.trips.back().depart)
+        throw element.error("the vehicles must be in the order of their departures");
+      memory_.trips.push_back({.vehicle = std::string(element.require("id")), .depart = depart});
+      place_ = element.place();
     } else if (element.name() == "route") {
       if (memory_.trips.empty()) throw element.error("it belongs to no vehicle");
       for (const auto id : split(element.require("edges"), " \t\r\n"))
         memory_.trips.back().route.push_back(road_of(id, network_, element));
     }
   }
+  void end(std::string_view name) override {
+    if (name == "vehicle" && memory_.trips.back().route.empty())
+      throw InputError(
+          fmt::format("{}: the vehicle '{}' has no route", place_, memory_.trips.back().vehicle));
+  }
 
  private:
   const Network& network_;
   Memory& memory_;
+  std::string place_;  ///< of the vehicle
 };
 
 void write_times(const fs::path& file, const Network& network, const Memory& memory,

@@ -23,7 +23,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       queues_(network.lanes.size()),
       passed_(network.lanes.size()),
       occupancy_(network.roads.size()),
-      next_insertion_(network.roads.size()),
+      lines_(network.roads.size()),
       table_(network, options.bin, options.bins, options.tolls) {}
 
 void QueueForecast::observe(const Fleet& fleet, Millis now) {
@@ -50,7 +50,11 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   ticks_.assign(ticks_.size(), {});
   tick_ = 0;
   occupancy_.assign(occupancy_.size(), 0);
-  next_insertion_.assign(next_insertion_.size(), -1e9);
+  for (const RoadId road : lined_) {
+    lines_[road].movers.clear();
+    lines_[road] = {.movers = std::move(lines_[road].movers)};
+  }
+  lined_.clear();
   insertion_.assign(fleet.size(), 0);
   leaving_.assign(fleet.size(), {});
   for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], to_seconds(now));
@@ -65,6 +69,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
       events_[done].next = std::exchange(free_, done);
     }
   }
+  estimate_later_insertions();
   table_.tabulate(servers_, discharge_, passed_);
 }
 
@@ -146,6 +151,8 @@ void QueueForecast::handle(const Event& event) {
   switch (event.kind) {
     case Kind::departs:
       return depart(event);
+    case Kind::enters:
+      return enter(event);
     case Kind::reaches_end:
       return reach_end(event);
     case Kind::leaves:
@@ -154,20 +161,38 @@ void QueueForecast::handle(const Event& event) {
 }
 
 void QueueForecast::depart(const Event& event) {
-  Mover& mover = movers_[event.subject];
-  const RoadId road = *mover.road;
+  const RoadId road = *movers_[event.subject].road;
+  Line& line = lines_[road];
+  if (line.movers.empty()) lined_.push_back(road);
+  line.movers.push_back(event.subject);
+  const bool is_first = line.head + 1 == line.movers.size();
+  if (is_first) push(std::max(event.time, line.free_at), Kind::enters, road.value);
+}
+
+void QueueForecast::enter(const Event& event) {
+  const RoadId road{event.subject};
   if (occupancy_[road] >= servers_.storage(road) * options_.full)
-    return push(event.time + options_.insertion_retry, Kind::departs, event.subject);
-  if (!mover.has_turn) {
-    mover.has_turn = true;
-    const double turn = next_insertion_[road];
-    next_insertion_[road] = std::max(turn, event.time) + discharge_.insertion_headway(road);
-    if (event.time < turn) return push(turn, Kind::departs, event.subject);
-  }
+    return push(event.time + options_.insertion_retry, Kind::enters, road.value);
+  Line& line = lines_[road];
+  const std::uint32_t first = line.movers[line.head++];
+  Mover& mover = movers_[first];
   ++occupancy_[road];
   if (mover.vehicle.valid()) insertion_[mover.vehicle] = from_seconds(event.time);
   mover.vehicle = {};
-  push(event.time + crossing(road), Kind::reaches_end, event.subject);
+  push(event.time + crossing(road), Kind::reaches_end, first);
+  line.free_at = event.time + discharge_.insertion_headway(road);
+  if (line.head < line.movers.size()) push(line.free_at, Kind::enters, road.value);
+}
+
+void QueueForecast::estimate_later_insertions() {
+  for (const RoadId road : lined_) {
+    const Line& line = lines_[road];
+    double time = horizon_;
+    for (std::size_t i = line.head; i < line.movers.size(); ++i, time += discharge_.insertion_headway(road)) {
+      const VehicleId vehicle = movers_[line.movers[i]].vehicle;
+      if (vehicle.valid()) insertion_[vehicle] = from_seconds(time);
+    }
+  }
 }
 
 void QueueForecast::reach_end(const Event& event) {

@@ -20,7 +20,7 @@ struct ForecastOptions {
   double full = 0.9;              ///< nobody is inserted on a road that is so full
   double blocked_retry = 3;       ///< s until the head of a queue looks again for room
   double blocked_patience = 150;  ///< s after which it goes anyway: the forecast must not lock up
-  double insertion_retry = 5;     ///< s
+  double insertion_retry = 5;     ///< s until the first in line looks again for room
   bool tolls = false;             ///< the table has them
 };
 
@@ -48,8 +48,8 @@ class QueueForecast {
   void run(const Fleet& fleet, const Level& level, Millis now);
 
   [[nodiscard]] const QueueTable& table() const { return table_; }
-  /// When a vehicle that waited at the last run gets on its first road, from then on; the horizon when later,
-  /// 0 when it was not there.
+  /// When a vehicle that waited at the last run gets on its first road, from then on; 0 when it was not
+  /// there. Beyond the horizon by its place in the line.
   [[nodiscard]] Millis insertion(VehicleId vehicle) const { return insertion_[vehicle]; }
 
   struct Leaving {
@@ -67,8 +67,7 @@ class QueueForecast {
     const RoadId* last;  ///< the route's last road
     MovementId movement{};
     LaneId preferred{};
-    VehicleId vehicle{};    ///< a real one, until it is inserted or leaves the road it was on
-    bool has_turn = false;  ///< of insertion
+    VehicleId vehicle{};  ///< a real one, until it is inserted or leaves the road it was on
   };
   /// Of a lane; the vehicles in it and those that left it are its `passed_`.
   struct Queue {
@@ -77,12 +76,18 @@ class QueueForecast {
     double blocked_since = -1;  ///< s from now; below 0: it is not
     bool is_active = false;
   };
+  /// Of those who want to get on a road, in the order of their departures.
+  struct Line {
+    std::vector<std::uint32_t> movers;
+    std::size_t head = 0;   ///< the first that still waits
+    double free_at = -1e9;  ///< s from now: it may enter, where there is room
+  };
   static constexpr std::uint32_t none = 0xffffffff;
   static constexpr double ticks_a_second = 10;
-  enum class Kind : std::uint8_t { reaches_end, leaves, departs };
+  enum class Kind : std::uint8_t { reaches_end, leaves, departs, enters };
   struct Event {
     double time;            ///< s from now
-    std::uint32_t subject;  ///< a mover; the lane for `leaves`
+    std::uint32_t subject;  ///< a mover; the lane for `leaves`, the road for `enters`
     std::uint32_t next;     ///< in the same tick
     Kind kind;
   };
@@ -103,6 +108,8 @@ class QueueForecast {
   [[nodiscard]] double crossing(RoadId road) const { return pace_ * servers_.free_flow(road); }
   void handle(const Event& event);
   void depart(const Event& event);
+  void enter(const Event& event);
+  void estimate_later_insertions();
   void reach_end(const Event& event);
   void leave(const Event& event);
   void schedule_head(LaneId lane);
@@ -129,7 +136,8 @@ class QueueForecast {
   IdVector<LaneId, std::vector<Passed>> passed_;
   std::vector<LaneId> used_;  ///< queues that are not as new
   IdVector<RoadId, int> occupancy_;
-  IdVector<RoadId, double> next_insertion_;
+  IdVector<RoadId, Line> lines_;
+  std::vector<RoadId> lined_;  ///< lines that are not as new
   IdVector<VehicleId, Millis> insertion_;
   IdVector<VehicleId, Leaving> leaving_;
   QueueTable table_;

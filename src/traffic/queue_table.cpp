@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "traffic/queue_table.hpp"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -99,7 +100,7 @@ void QueueTable::tabulate_lane(double headway, double delay, std::span<const Pas
     if (toll_.empty()) continue;
     const bool holds_up =
         next < passed.size() && leave + headway > static_cast<double>(passed[next].arrived) + delay;
-    lane_.toll[b] = holds_up ? static_cast<float>(headway * std::max(1, waiting_[next])) : 0.0F;
+    lane_.toll[b] = holds_up ? static_cast<float>(headway * std::max(1.0, waiting_[next])) : 0.0F;
   }
 }
 
@@ -107,7 +108,9 @@ void QueueTable::count_waiting(double headway, double delay, std::span<const Pas
   waiting_.assign(passed.size() + 1, 0);
   for (std::size_t i = passed.size(); i-- > 0;) {
     const double alone = static_cast<double>(passed[i].arrived) + delay;
-    waiting_[i] = static_cast<double>(passed[i].left) > alone + headway / 2 ? 1 + waiting_[i + 1] : 0;
+    if (static_cast<double>(passed[i].left) <= alone + headway / 2) continue;
+    const double behind = i + 1 < passed.size() ? passed[i + 1].arrived - passed[i].arrived : 0;
+    waiting_[i] = 1 + std::exp(-behind / adapting) * waiting_[i + 1];
   }
 }
 

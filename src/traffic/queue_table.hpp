@@ -48,10 +48,13 @@ class QueueTable {
   /// Vehicles that reach the end in this bin.
   [[nodiscard]] float arrivals(RoadId road, std::size_t bin) const { return arrivals_[at(road, bin)]; }
   /// s that those behind it wait longer, taken together, because of one that reaches the end in this bin: one
-  /// headway each, until the queue has once been served. Only of a table with tolls.
+  /// headway each, until the queue has once been served. Who comes `adapting` later counts 1/e: it can still
+  /// choose another way. Only of a table with tolls.
   [[nodiscard]] float toll(RoadId road, std::size_t bin) const { return toll_[at(road, bin)]; }
   /// s between two that leave the road, by whatever lane.
   [[nodiscard]] double headway(RoadId road) const { return headway_[road]; }
+
+  static constexpr double adapting = 300;  ///< s
 
  private:
   struct LaneRows {
@@ -74,7 +77,7 @@ class QueueTable {
   IdVector<RoadId, double> delay_;   ///< s that the first one waits
   IdVector<RoadId, bool> is_empty_;  ///< its rows are those of a road that nobody reached the end of
   LaneRows lane_;                    ///< scratch: of one lane
-  std::vector<int> waiting_;         ///< scratch: from each on, how many in a row wait for the one before
+  std::vector<double> waiting_;      ///< scratch: from each on, how many in a row wait for the one before
 };
 
 }  // namespace thalweg

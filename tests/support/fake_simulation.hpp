@@ -102,7 +102,7 @@ class FakeSimulation : public Simulation {
     load();
   }
 
-  std::span<const Observation> observe(bool /*with_lanes*/) override {
+  std::span<const Observation> observe(Look /*look*/) override {
     ++looks;
     observations_.clear();
     for (std::size_t i = 0; i < states_.size(); ++i) {

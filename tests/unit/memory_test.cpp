@@ -120,6 +120,18 @@ TEST_F(MemoryFile, IsFoundDamaged) {
   EXPECT_TRUE(contains(input_error([&] { read_memory(folder.path(), net); }), "times.xml.gz"));
 }
 
+TEST_F(MemoryFile, EveryVehicleHasARouteAndItsPlaceInTheOrder) {
+  const auto error_with = [&](const std::string& vehicles) {
+    folder.write_gzip("routes.rou.xml.gz", "<routes>\n" + vehicles + "</routes>");
+    return input_error([&] { read_memory(folder.path(), net); });
+  };
+  const std::string good = "<vehicle id='a' depart='5'><route edges='AB BC'/></vehicle>";
+  EXPECT_TRUE(contains(error_with("<vehicle id='b' depart='1'/>"), ":2: the vehicle 'b' has no route"));
+  EXPECT_TRUE(contains(error_with("<vehicle id='c' depart='1'><route edges=' '/></vehicle>"), "'c'"));
+  EXPECT_TRUE(contains(error_with(good + "<vehicle id='d' depart='4'><route edges='AB'/></vehicle>"),
+                       "the order of their departures"));
+}
+
 TEST_F(MemoryFile, OfSomethingElseIsNamed) {
   const std::string begin = "<interval begin='0' end='60'>\n";
   EXPECT_TRUE(contains(error_of("<meandata><interval begin='0' end='60'/></meandata>"), "is no memory"));

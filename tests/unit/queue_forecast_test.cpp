@@ -124,6 +124,17 @@ TEST_F(Queues, WhoWaitsIsInsertedInTurn) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(forecast.insertion(VehicleId{i}), expected[i]) << i;
 }
 
+// A vehicle in 2 s gets on AB: 600 within the horizon of 1200 s, the others later, each by its place.
+TEST_F(Queues, WhoWaitsBeyondTheHorizonKnowsItsPlaceInTheLine) {
+  Driven driven(net, 1000);
+  const Discharge discharge(net, servers, driven.demand);
+  QueueForecast forecast(net, servers, discharge, nobody_assumed);
+  for (std::size_t i = 0; i < 1000; ++i) driven.load(i, "ABCD");
+  forecast.run(driven.fleet, Level(net), 0);
+  EXPECT_EQ(forecast.insertion(VehicleId{500U}), 1'000'000);
+  EXPECT_NEAR(to_seconds(forecast.insertion(VehicleId{900U})), 1'800, 5);
+}
+
 // Three stand at the end of AB: the first leaves at once, the third 4 s later. The fourth has 200 of the 300
 // m to go, the fifth was not seen.
 TEST_F(Queues, WhoStandsKnowsItsPlaceInTheQueue) {

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "simulation/control.hpp"
+#include "support/fake_simulation.hpp"
+
+namespace thalweg::testing {
+namespace {
+
+//     Q           A vehicle a second comes from P and Q together; the ends of AB and of AC let one pass in 2
+//     s. |           All 60 mean to go by B, where a queue is to be expected. CD is 100 m at 10 m/s, or
+//     longer.
+//   P-A-B
+//     | |
+//     C-D-T
+struct Setting {
+  std::string_view strategy = "forecast";
+  double cd_metres = 100;
+  double toll = 0;
+  Millis least_gain = 1'000;
+  std::size_t threads = 1;
+};
+
+/// How many of them go by C after everybody has decided once.
+std::size_t by_c(const Setting& setting) {
+  const Network net =
+      ascii_network("  Q\n  |\nP-A-B\n  | |\n  C-D-T", {.roads = {{"CD", {.length = setting.cd_metres}}}});
+  std::vector<FakeVehicle> vehicles;
+  for (std::size_t i = 0; i < 60; ++i) {
+    vehicles.push_back({.id = fmt::format("v{}", i),
+                        .depart = static_cast<Millis>(i) * 1000,
+                        .route = way(net, i % 2 == 0 ? "PABDT" : "QABDT")});
+  }
+  FakeSimulation simulation(net, vehicles, {.end = 1'000});
+  const auto own =
+      make_strategy(setting.strategy, {.rule = {.relative = 0, .spread = 0, .absolute = setting.least_gain},
+                                       .toll = setting.toll,
+                                       .threads = setting.threads});
+  const std::atomic<bool> stop = false;
+  control(simulation, net, simulation.demand(), own.get(), {.period = 0}, {}, stop);
+  const RoadId cd = road(net, "CD");
+  std::size_t count = 0;
+  for (const Assignment& assignment : simulation.assignments)
+    count += static_cast<std::size_t>(std::count(assignment.route.begin(), assignment.route.end(), cd));
+  return count;
+}
+
+TEST(Forecast, WhoDecidesAloneGoesWhereEverybodyGoes) { EXPECT_GT(by_c({}), 45U); }
+
+TEST(Booking, WhoSeesWhatOthersBookedSpreads) {
+  const std::size_t count = by_c({.strategy = "booking"});
+  EXPECT_GT(count, 5U);
+  EXPECT_LT(count, 30U) << "until the others have no queue to leave";
+}
+
+TEST(Booking, DoesNotDependOnThreads) {
+  EXPECT_EQ(by_c({.strategy = "booking"}), by_c({.strategy = "booking", .threads = 2}));
+}
+
+// The first in the queue lose next to nothing there, but hold up all that come behind them.
+TEST(Toll, WhoHoldsUpManyLeavesTheQueueForALittleGain) {
+  const std::size_t selfish = by_c({.least_gain = 15'000});
+  EXPECT_GT(selfish, 5U);
+  EXPECT_GT(by_c({.toll = 1, .least_gain = 15'000}), selfish + 10);
+}
+
+// Nobody waits for 30 s at the end of AB, so by C all would be later, though it were better for all together.
+TEST(Toll, NobodyIsSentOnAWayThatIsLaterForItself) {
+  EXPECT_EQ(by_c({.cd_metres = 400, .toll = 10, .least_gain = 0}), 0U);
+}
+
+TEST(Toll, IsWholeInMarginal) {
+  EXPECT_EQ(by_c({.strategy = "marginal", .toll = 0, .least_gain = 15'000}),
+            by_c({.toll = 1, .least_gain = 15'000}));
+}
+
+}  // namespace
+}  // namespace thalweg::testing
