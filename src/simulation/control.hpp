@@ -17,7 +17,6 @@ struct ControlOptions {
   Millis period = 60'000;               ///< each vehicle reconsiders once a period; 0: at every step
   Millis window = 180'000;              ///< over which travel times are averaged
   Millis sample_interval = 5'000;       ///< between two looks at the traffic
-  Millis watch_interval = 3'000;        ///< the same for a strategy that looks ahead
   Millis adaptation_interval = 10'000;  ///< between two updates of the travel times that strategies see
   double share = 1.0;                   ///< share of the vehicles that is ours
   double compliance = 1.0;              ///< probability that a driver follows a piece of advice

@@ -599,6 +599,7 @@ class Watcher : public Recorder {
 // The vehicle is loaded at 0 and departs at 25 s: due once a period until then, and again when it departs.
 TEST_F(Control, WhoLooksAheadDecidesFromLoadingOnAndWatchesTheFleet) {
   FakeSimulation simulation(net, {{.id = "v", .depart = 25'000, .route = way(net, "SABT")}});
+  simulation.road_times[at("SA")] = 20'000;  // so that it is asked once more before it must turn
   Watcher watcher;
   watcher.answer = [&](std::span<const ClassTraffic> traffic, const Traveller& traveller) {
     const bool can_turn = traveller.departed && traveller.route.size() == 3;
@@ -621,8 +622,8 @@ TEST_F(Control, WhoLooksAheadDecidesFromLoadingOnAndWatchesTheFleet) {
                         [&](const auto& s) { return s.first == time; })
         ->second;
   };
-  EXPECT_EQ(state_at(24'000).state, FleetVehicle::State::waiting);
-  EXPECT_EQ(text(state_at(24'000).route), "SA AB BT");
+  EXPECT_EQ(state_at(20'000).state, FleetVehicle::State::waiting);
+  EXPECT_EQ(text(state_at(20'000).route), "SA AB BT");
   EXPECT_EQ(state_at(30'000).state, FleetVehicle::State::running);
   EXPECT_EQ(text(watcher.seen[watcher.seen.size() - 2].second.route), "SA AC CD DB BT")
       << "as it was decided";
