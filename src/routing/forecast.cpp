@@ -115,9 +115,10 @@ class ForecastStrategy : public Strategy {
 
   /// Calls `enters(i, time)` for each road of the route but the last.
   template <class Enters>
-  Drive drive(const RoadGraph& graph, const TimedCosts& costs, std::span<const VertexId> route, Millis time,
+  Drive drive(const RoadGraph& graph, const TimedCosts& costs, std::span<const VertexId> route, Millis begin,
               const Enters& enters) const {
     Drive result;
+    Millis time = begin;
     for (std::size_t i = 0; i + 1 < route.size() && time < infinity; ++i) {
       enters(i, time);
       result.owed += toll(graph, costs, route[i], time);
@@ -127,14 +128,12 @@ class ForecastStrategy : public Strategy {
       }
       time = next;
     }
-    result.arrival = never(time) ? infinity : time;
+    result.arrival = never(begin, time) ? infinity : time;
     return result;
   }
 
   /// The way leads through a closed road.
-  [[nodiscard]] bool never(Millis arrival) const {
-    return arrival - foresight_->now() >= TimedCosts::closed / 2;
-  }
+  static bool never(Millis begin, Millis arrival) { return arrival - begin >= TimedCosts::closed / 2; }
 
   /// When it enters the first road of its route. One that is on it is as one that entered so much earlier as
   /// leaves when it does.
@@ -186,21 +185,25 @@ class ForecastStrategy : public Strategy {
     decision.entered = begin;
     decision.old_cost = old.arrival >= infinity ? infinity : old.arrival - begin + last;
     decision.new_cost = decision.old_cost;
-    // Only ways that the rule would take are searched for: mostly there is none, which is seen soon.
-    const Millis bound = old.arrival >= infinity
-                             ? infinity
-                             : old.arrival + old.owed - rule_.threshold(traveller, decision.old_cost);
+    // Only ways that the rule would take are searched for, with what is owed as a cost like time, and among
+    // them those that are not later for the vehicle itself: mostly there is none, which is seen soon.
+    TimedLimits limits;
+    if (old.arrival < infinity) {
+      const Millis with_tolls = decision.old_cost + old.owed;
+      limits = {.below = old.arrival + old.owed - rule_.threshold(traveller, with_tolls),
+                .latest = old.arrival};
+    }
     decision.route.push_back(traveller.route.front());
     Drive best{.arrival = begin};
     VertexId at = traveller.route.front();
     for (const VertexId waypoint : traveller.waypoints) {
       view.potentials->start(worker.left, waypoint);
       const auto found = timed_search(
-          turns, at, best.arrival, best.owed, waypoint, bound,
+          turns, at, best.arrival, best.owed, waypoint, limits,
           [&](ArcId arc, Millis time) { return costs.arrive(arc, time); },
           [&](VertexId road, Millis time) { return toll(graph, costs, road, time); },
           [&](VertexId v) { return view.potentials->left(worker.left, v); }, worker.search);
-      if (!found || never(found->arrival)) {
+      if (!found || never(begin, found->arrival)) {
         decision.route.clear();  // none at all, or none that the rule would take
         if (old.arrival < infinity) decision.route = traveller.route;
         return;
@@ -209,11 +212,8 @@ class ForecastStrategy : public Strategy {
       best = {.arrival = found->arrival, .owed = found->owed};
       at = waypoint;
     }
-    decision.new_cost = best.arrival - begin + last;
-    // What it owes the others counts for the choice only, not for the time that is foretold.
-    decision.change = decision.route != traveller.route && decision.new_cost <= decision.old_cost &&
-                      rule_.prefers(traveller, add_saturating(decision.old_cost, old.owed),
-                                    add_saturating(decision.new_cost, best.owed));
+    decision.new_cost = best.arrival - begin + last;  // what it owes is not part of the time that is foretold
+    decision.change = decision.route != traveller.route;
   }
 
   /// Moves the places of those who changed their ways.

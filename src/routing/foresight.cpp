@@ -35,7 +35,8 @@ bool Foresight::watch(const TrafficState& state) {
   hindsight_.observe(state.fleet, state.now);
   if (!is_round_due(state.now)) return false;
   conditions_version_ = state.conditions.version();
-  next_round_ = state.now + round;
+  const bool is_in_turn = state.now >= next_round_ && state.now < next_round_ + round;
+  next_round_ = (is_in_turn ? next_round_ : state.now) + round;
   forecast_at_ = state.now;
   forecast_.run(state.fleet, level_, state.now);
   level_.learn(servers_, forecast_.table(), state.measured, to_seconds(round));

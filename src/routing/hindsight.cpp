@@ -50,12 +50,15 @@ double Hindsight::Account::ratio(double prior) const {
 double Hindsight::realised() const {
   if (changed_.arrivals <= 0) return options_.first;
   const double promised = changed_.old_way - changed_.new_way;
+  if (promised <= 0) return options_.first;
   const double gained = kept_.ratio(options_.prior) * changed_.old_way - changed_.taken;
   const double as_promised = options_.prior * promised / changed_.arrivals;
   return (gained + options_.first * as_promised) / (promised + as_promised);
 }
 
 double Hindsight::caution() const {
+  const bool is_promised = changed_.arrivals <= 0 || changed_.new_way < changed_.old_way;
+  if (!is_promised) return 0;  // ways that are as long: nobody can be disappointed
   const double share = realised();
   if (share >= options_.enough) return 0;
   const double disappointment = changed_.arrivals <= 0

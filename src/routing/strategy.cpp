@@ -35,7 +35,8 @@ std::span<const StrategyEntry> strategies() {
        "by a vehicle's own time alone, and who decides sees what those before it have decided (the paper's "
        "reserve table)",
        &make_booking, true},
-      {"marginal", "the forecast, and all of what a vehicle costs the others counts as a cost of its own",
+      {"marginal",
+       "the forecast with a toll of 1: the delay that a vehicle causes behind it counts as its own",
        &make_marginal, true},
       {"memory", "the forecast with what the days before have taught (the paper's crew)", &make_memory, true},
       {"cch", "the same optimum by a customizable contraction hierarchy: fast on large nets", &make_cch},

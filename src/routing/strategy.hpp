@@ -54,7 +54,7 @@ inline Millis arrival(const Traveller& traveller, const Decision& decision, Mill
 }
 
 /// When a traveller gives up its way for a better one: the gain must exceed
-/// (relative + spread * patience) of the time left, and `absolute`; before departure, when turning costs
+/// (relative + spread * patience) of the cost left, and `absolute`; before departure, when turning costs
 /// nothing, `relative` is left out; `caution` comes on top for everybody. Thresholds that differ between
 /// vehicles keep everybody from turning at the same news.
 struct ChoiceRule {
@@ -88,7 +88,9 @@ class Strategy {
   /// Whether `watch` wants to be called: keeping the fleet costs time.
   [[nodiscard]] virtual bool looks_ahead() const { return false; }
   /// How closely it wants to look at the traffic now.
-  [[nodiscard]] virtual Look next_look(Millis /*now*/) const { return Look::roads; }
+  [[nodiscard]] virtual Look next_look(Millis /*now*/) const {
+    return looks_ahead() ? Look::positions : Look::roads;
+  }
   /// After every look at the traffic, before those who are due decide.
   virtual void watch(const TrafficState& /*state*/) {}
   /// decisions[i] belongs to due[i]. The result does not depend on the number of threads.

@@ -64,22 +64,29 @@ struct TimedPath {
   std::vector<ArcId> arcs;
 };
 
+/// What a path must keep to be of interest.
+struct TimedLimits {
+  Millis below = infinity;   ///< arrival + owed is less
+  Millis latest = infinity;  ///< the arrival is not later
+};
+
 /// The least arrival + owed at `destination` for one that is at `origin` at `start` and owes `owed` already;
-/// nullopt: none below `bound`. A* on these labels (Dreyfus 1969 for the label-setting): exact where nothing
-/// is owed, leaving later never arrives earlier and `potential` (VertexId -> Millis) is never above the time
-/// that is left, nor falls by more than an arc takes; infinity where the destination is out of reach. With
-/// tolls one label a vertex is kept, as in the paper's dynamical hybrid: a way that is worse up to a vertex
-/// and would owe less beyond it is not seen.
+/// nullopt: none within the limits. A* on these labels (Dreyfus 1969 for the label-setting): exact where
+/// nothing is owed, leaving later never arrives earlier and `potential` (VertexId -> Millis) is never above
+/// the time that is left, nor falls by more than an arc takes; infinity where the destination is out of
+/// reach. With tolls one label a vertex is kept, as in the paper's dynamical hybrid: a way that is worse up
+/// to a vertex and would owe less beyond it is not seen.
 template <ArrivalFunction F, TollFunction Toll, class Potential>
 std::optional<TimedPath> timed_search(const Digraph& graph, VertexId origin, Millis start, Millis owed,
-                                      VertexId destination, Millis bound, const F& arrive, const Toll& toll,
-                                      const Potential& potential, TimedScratch& scratch) {
+                                      VertexId destination, const TimedLimits& limits, const F& arrive,
+                                      const Toll& toll, const Potential& potential, TimedScratch& scratch) {
   scratch.begin(graph.vertex_count());
   const auto reach = [&](VertexId v, Millis time, Millis debt, ArcId parent) {
     const Millis cost = add_saturating(time, debt);
     if (cost >= scratch.cost(v)) return;
-    const Millis key = add_saturating(cost, potential(v));
-    if (key >= bound) return;
+    const Millis left = potential(v);
+    const Millis key = add_saturating(cost, left);
+    if (key >= limits.below || add_saturating(time, left) > limits.latest) return;
     scratch.labels[v] = {.cost = cost, .owed = debt, .parent = parent, .search = scratch.search};
     scratch.heap.push_back({.key = key, .label = cost, .vertex = v});
     std::push_heap(scratch.heap.begin(), scratch.heap.end());

@@ -82,8 +82,8 @@ class SumoSession : public Simulation {
     observations_.clear();
     for (std::size_t i = 0; i < running_.size();) {
       try {
-        const Running& vehicle = running_[i];
-        if (look == Look::roads ? look_at_road(running_[i]) : look_at_lane(running_[i])) {
+        Running& vehicle = running_[i];
+        if (look == Look::roads ? look_at_road(vehicle) : look_at_lane(vehicle)) {
           Observation& seen = observations_.back();
           seen.speed = libsumo::Vehicle::getSpeed(vehicle.name);
           if (look == Look::positions) seen.position = libsumo::Vehicle::getLanePosition(vehicle.name);

@@ -187,7 +187,7 @@ void QueueForecast::enter(const Event& event) {
 void QueueForecast::estimate_later_insertions() {
   for (const RoadId road : lined_) {
     const Line& line = lines_[road];
-    double time = horizon_;
+    double time = std::max(horizon_, line.free_at);
     for (std::size_t i = line.head; i < line.movers.size(); ++i, time += discharge_.insertion_headway(road)) {
       const VehicleId vehicle = movers_[line.movers[i]].vehicle;
       if (vehicle.valid()) insertion_[vehicle] = from_seconds(time);

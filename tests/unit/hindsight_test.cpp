@@ -85,6 +85,16 @@ TEST_F(HindsightTest, AFewArrivalsSayLittleAndOldOnesAreForgotten) {
   EXPECT_NEAR(hindsight.realised(), (9 * 0.5 + 1) / 10, 1e-3) << "what the second was promised came true";
 }
 
+// By another way of the same length: it changed for the others' sake.
+TEST_F(HindsightTest, WhoWasPromisedNothingIsNotDisappointed) {
+  Hindsight hindsight(100, {});
+  depart(0);
+  hindsight.decided(VehicleId{0U}, 0, 100'000, 100'000, true);
+  arrive(0, 150'000, hindsight);
+  EXPECT_EQ(hindsight.realised(), HindsightOptions{}.first);
+  EXPECT_EQ(hindsight.caution(), 0);
+}
+
 TEST_F(HindsightTest, WhereThereIsNoWayNothingWasPromised) {
   Hindsight hindsight(100, no_prior);
   depart(0);

@@ -156,14 +156,17 @@ TEST_F(Queues, WhoStandsKnowsItsPlaceInTheQueue) {
 }
 
 TEST_F(Queues, TheSameFleetGivesTheSameForecast) {
-  Driven driven(net, 20);
+  Driven driven(net, 30);
   stand(driven, 20);
+  for (std::size_t i = 20; i < 30; ++i) driven.load(i, "ABCD");
   const Discharge discharge(net, servers, driven.demand);
   QueueForecast first(net, servers, discharge, nobody_assumed);
   QueueForecast again(net, servers, discharge, nobody_assumed);
   first.run(driven.fleet, Level(net), 0);
   for (int run = 0; run < 3; ++run) again.run(driven.fleet, Level(net), 0);
   for (std::size_t bin = 0; bin < 60; ++bin) EXPECT_EQ(wait(first, "AB", bin), wait(again, "AB", bin));
+  for (std::size_t i = 20; i < 30; ++i)
+    EXPECT_EQ(first.insertion(VehicleId{i}), again.insertion(VehicleId{i})) << i;
 }
 
 }  // namespace

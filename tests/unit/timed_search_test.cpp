@@ -26,12 +26,12 @@ TEST(TimedSearch, TakesTheCostOfTheTimeAtWhichAnArcIsEntered) {
   };
   TimedScratch scratch;
   const auto early =
-      timed_search(graph, VertexId{0U}, 0, 0, VertexId{3U}, infinity, arrive, no_toll, no_potential, scratch);
+      timed_search(graph, VertexId{0U}, 0, 0, VertexId{3U}, {}, arrive, no_toll, no_potential, scratch);
   ASSERT_TRUE(early.has_value());
   EXPECT_EQ(early->arrival, 6);
   EXPECT_EQ(early->arcs, (std::vector<ArcId>{ArcId{2U}, ArcId{3U}}));
-  const auto late = timed_search(graph, VertexId{0U}, 30, 0, VertexId{3U}, infinity, arrive, no_toll,
-                                 no_potential, scratch);
+  const auto late =
+      timed_search(graph, VertexId{0U}, 30, 0, VertexId{3U}, {}, arrive, no_toll, no_potential, scratch);
   EXPECT_EQ(late->arrival, 32);
   EXPECT_EQ(late->arcs, (std::vector<ArcId>{ArcId{0U}, ArcId{1U}}));
 }
@@ -41,12 +41,12 @@ TEST(TimedSearch, FindsNothingThatIsNotEarlierThanTheBound) {
   const Digraph graph(2, arcs);
   const auto arrive = [](ArcId, Millis entry) -> Millis { return entry + 10; };
   TimedScratch scratch;
+  EXPECT_FALSE(timed_search(graph, VertexId{0U}, 0, 0, VertexId{1U}, {.below = 10}, arrive, no_toll,
+                            no_potential, scratch));
+  EXPECT_TRUE(timed_search(graph, VertexId{0U}, 0, 0, VertexId{1U}, {.below = 11}, arrive, no_toll,
+                           no_potential, scratch));
   EXPECT_FALSE(
-      timed_search(graph, VertexId{0U}, 0, 0, VertexId{1U}, 10, arrive, no_toll, no_potential, scratch));
-  EXPECT_TRUE(
-      timed_search(graph, VertexId{0U}, 0, 0, VertexId{1U}, 11, arrive, no_toll, no_potential, scratch));
-  EXPECT_FALSE(timed_search(graph, VertexId{1U}, 0, 0, VertexId{0U}, infinity, arrive, no_toll, no_potential,
-                            scratch));
+      timed_search(graph, VertexId{1U}, 0, 0, VertexId{0U}, {}, arrive, no_toll, no_potential, scratch));
 }
 
 //     0 --1--> 1 --1--> 3     whoever leaves 1 owes the others 10: the way by 2 is later, and better for all
@@ -63,10 +63,14 @@ TEST(TimedSearch, WeighsWhatIsOwed) {
   for (const Millis toll : {Millis{3}, Millis{10}}) {
     const auto owed = [&](VertexId v, Millis) -> Millis { return v == VertexId{1U} ? toll : 0; };
     const auto found =
-        timed_search(graph, VertexId{0U}, 0, 7, VertexId{3U}, infinity, arrive, owed, no_potential, scratch);
+        timed_search(graph, VertexId{0U}, 0, 7, VertexId{3U}, {}, arrive, owed, no_potential, scratch);
     ASSERT_TRUE(found.has_value());
     EXPECT_EQ(found->arrival, toll == 3 ? 2 : 6);
     EXPECT_EQ(found->owed, toll == 3 ? 10 : 7) << "what was owed before comes on top";
+    const auto early = timed_search(graph, VertexId{0U}, 0, 7, VertexId{3U}, {.latest = 5}, arrive, owed,
+                                    no_potential, scratch);
+    ASSERT_TRUE(early.has_value());
+    EXPECT_EQ(early->arrival, 2) << "not after 5, whatever it owes";
   }
 }
 
@@ -106,8 +110,8 @@ TEST(TimedSearch, EqualsLabelCorrectingOnRandomGraphs) {
       }
       const auto arrive = [](ArcId arc, Millis entry) { return bent(arc.value, entry); };
       const auto found = timed_search(
-          graph, origin, start, 0, VertexId{v}, infinity, arrive, no_toll,
-          [&](VertexId u) { return left[u]; }, scratch);
+          graph, origin, start, 0, VertexId{v}, {}, arrive, no_toll, [&](VertexId u) { return left[u]; },
+          scratch);
       ASSERT_EQ(found ? found->arrival : infinity, earliest[VertexId{v}])
           << "seed " << seed << " vertex " << v;
       if (!found) continue;
