@@ -19,7 +19,8 @@ struct HindsightOptions {
 /// disappointed on average (the winner's curse: Capen, Clapp, Campbell 1971): that best is the one whose
 /// error was the most favourable. Whether this is so in this city at this hour shows when vehicles arrive:
 /// those that changed against those that kept their way, each by the time that was forecast for it. Where
-/// changing brings next to nothing, fewer are to change, down to none.
+/// changing brings next to nothing, fewer are to change, down to none. Who changes for the others' sake
+/// (tolls) is promised little, and counts by that.
 class Hindsight {
  public:
   explicit Hindsight(std::size_t vehicles, const HindsightOptions& options = {});

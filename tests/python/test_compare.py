@@ -198,7 +198,7 @@ class CompareFails(support.TestCase):
 
     def test_options_of_the_runs_are_checked_before_any_work(self):
         folder = self.folder()
-        for option in ("--share=2", "--period=never", "--window=0", "--threads=0"):
+        for option in ("--share=2", "--period=never", "--window=0", "--threads=0", "--toll=-1"):
             result = thalweg("compare", "-c", HEAVY, "-o", folder / "out", option)
             self.assertEqual(result.exit, 1, result)
             self.assertIn(option.split("=")[0], result.err)

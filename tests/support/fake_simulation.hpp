@@ -68,7 +68,7 @@ class FakeSimulation : public Simulation {
   RoadTimes road_times;
   std::set<VehicleId> refusing{};  ///< `assign` fails for them
   std::set<VehicleId> away{};      ///< they cannot change now: teleporting, parked
-  std::size_t looks = 0;           ///< calls of `observe`
+  std::vector<Look> looks;         ///< what `observe` was asked for
   std::vector<Assignment> assignments{};
   IdVector<VehicleId, std::vector<RoadId>> driven{};  ///< the roads each has entered
 
@@ -102,8 +102,8 @@ class FakeSimulation : public Simulation {
     load();
   }
 
-  std::span<const Observation> observe(Look /*look*/) override {
-    ++looks;
+  std::span<const Observation> observe(Look look) override {
+    looks.push_back(look);
     observations_.clear();
     for (std::size_t i = 0; i < states_.size(); ++i) {
       const State& state = states_[VehicleId{i}];

@@ -378,7 +378,7 @@ TEST_F(Control, LooksAtTheTrafficOnceAnInterval) {
   for (const Millis step : {100, 300, 700, 1'000, 3'000}) {
     FakeSimulation simulation(net, fleet(net, 1, "SABT"), {.step_length = step, .end = 180'000});
     run(simulation, net, evolved.get());
-    EXPECT_NEAR(static_cast<double>(simulation.looks), 36, 1) << "steps of " << step;
+    EXPECT_NEAR(static_cast<double>(simulation.looks.size()), 36, 1) << "steps of " << step;
   }
 }
 
@@ -585,6 +585,19 @@ TEST_F(Control, TheSameRunIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(log_of(1), one);
   EXPECT_EQ(log_of(2), one);
   EXPECT_EQ(log_of(4), one);
+}
+
+// Positions on the roads are asked for when there will be a new forecast, every 15 s.
+TEST_F(Control, PositionsAreLookedAtOnlyForANewForecast) {
+  FakeSimulation simulation(net, fleet(net, 3, "SABT"), {.end = 46'000});
+  run(simulation, net, make_strategy("forecast", {}).get(), {});
+  const auto lanes = Look::lanes;
+  const auto positions = Look::positions;
+  EXPECT_EQ(simulation.looks, (std::vector{positions, lanes, lanes, positions, lanes, lanes, positions, lanes,
+                                           lanes, positions}));
+  FakeSimulation other(net, fleet(net, 3, "SABT"), {.end = 6'000});
+  run(other, net, make_strategy("evolved", {}).get(), {});
+  EXPECT_EQ(other.looks, (std::vector{Look::roads, Look::roads}));
 }
 
 /// One that looks ahead: keeps what it is shown of the first vehicle.
