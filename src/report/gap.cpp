@@ -104,7 +104,7 @@ class ClassRoads {
       const VertexId to = graph_.vertex(waypoint);
       const auto& left = potential(to);
       const auto found = timed_search(
-          graph_.turns(), at, time, 0, to, {.below = infinity, .latest = bound},
+          graph_.turns(), at, time, 0, to, {.latest = bound},
           [&](ArcId turn, Millis entry) { return arrive(turn, entry); }, no_toll,
           [&](VertexId v) { return left[v]; }, scratch_);
       if (!found) return bound;

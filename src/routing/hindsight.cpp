@@ -48,8 +48,7 @@ double Hindsight::Account::ratio(double prior) const {
 }
 
 double Hindsight::realised() const {
-  if (changed_.arrivals <= 0) return options_.first;
-  const double promised = changed_.old_way - changed_.new_way;
+  const double promised = changed_.promised();
   if (promised <= 0) return options_.first;
   const double gained = kept_.ratio(options_.prior) * changed_.old_way - changed_.taken;
   const double as_promised = options_.prior * promised / changed_.arrivals;
@@ -57,13 +56,12 @@ double Hindsight::realised() const {
 }
 
 double Hindsight::caution() const {
-  const bool is_promised = changed_.arrivals <= 0 || changed_.new_way < changed_.old_way;
-  if (!is_promised) return 0;  // ways that are as long: nobody can be disappointed
+  const bool has_seen = changed_.arrivals > 0;
+  if (has_seen && changed_.promised() <= 0) return 0;  // ways that are as long: nobody can be disappointed
   const double share = realised();
   if (share >= options_.enough) return 0;
-  const double disappointment = changed_.arrivals <= 0
-                                    ? options_.unseen
-                                    : (1 - share) * (changed_.old_way - changed_.new_way) / changed_.old_way;
+  const double disappointment =
+      has_seen ? (1 - share) * changed_.promised() / changed_.old_way : options_.unseen;
   return disappointment * std::min(1.0, 1 - share / options_.enough);
 }
 

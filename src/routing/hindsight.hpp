@@ -50,7 +50,8 @@ class Hindsight {
     double new_way = 0;  ///< s, forecast
     double taken = 0;    ///< s
     double arrivals = 0;
-    [[nodiscard]] double ratio(double prior) const;  ///< taken / forecast
+    [[nodiscard]] double promised() const { return old_way - new_way; }  ///< s; 0 before the first arrival
+    [[nodiscard]] double ratio(double prior) const;                      ///< taken / forecast
   };
 
   HindsightOptions options_;

@@ -50,10 +50,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   ticks_.assign(ticks_.size(), {});
   tick_ = 0;
   occupancy_.assign(occupancy_.size(), 0);
-  for (const RoadId road : lined_) {
-    lines_[road].movers.clear();
-    lines_[road] = {.movers = std::move(lines_[road].movers)};
-  }
+  for (const RoadId road : lined_) lines_[road].clear();
   lined_.clear();
   insertion_.assign(fleet.size(), 0);
   leaving_.assign(fleet.size(), {});

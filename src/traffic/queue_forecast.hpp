@@ -69,18 +69,24 @@ class QueueForecast {
     LaneId preferred{};
     VehicleId vehicle{};  ///< a real one, until it is inserted or leaves the road it was on
   };
+  static constexpr double long_ago = -1e9;  ///< s from now
   /// Of a lane; the vehicles in it and those that left it are its `passed_`.
   struct Queue {
     std::size_t head = 0;
-    double free_at = -1e9;      ///< s from now: the server is done with the last
+    double free_at = long_ago;  ///< s from now: the server is done with the last
     double blocked_since = -1;  ///< s from now; below 0: it is not
     bool is_active = false;
   };
   /// Of those who want to get on a road, in the order of their departures.
   struct Line {
     std::vector<std::uint32_t> movers;
-    std::size_t head = 0;   ///< the first that still waits
-    double free_at = -1e9;  ///< s from now: it may enter, where there is room
+    std::size_t head = 0;       ///< the first that still waits
+    double free_at = long_ago;  ///< s from now: it may enter, where there is room
+    void clear() {              // keeps the storage
+      movers.clear();
+      head = 0;
+      free_at = long_ago;
+    }
   };
   static constexpr std::uint32_t none = 0xffffffff;
   static constexpr double ticks_a_second = 10;

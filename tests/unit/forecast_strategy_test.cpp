@@ -8,9 +8,8 @@ namespace thalweg::testing {
 namespace {
 
 //     Q           A vehicle a second comes from P and Q together; the ends of AB and of AC let one pass in 2
-//     s. |           All 60 mean to go by B, where a queue is to be expected. CD is 100 m at 10 m/s, or
-//     longer.
-//   P-A-B
+//     s. |           All 60 mean to go by B, where a queue is to be expected. CD is 100 m, or longer, at
+//   P-A-B            10 m/s.
 //     | |
 //     C-D-T
 struct Setting {
