@@ -40,7 +40,7 @@ bool Foresight::watch(const TrafficState& state) {
   forecast_at_ = state.now;
   forecast_.run(state.fleet, level_, state.now);
   level_.learn(servers_, forecast_.table(), state.measured, to_seconds(round));
-  residuals_.learn(servers_, level_, forecast_.table(), state.measured, to_seconds(round));
+  residuals_.learn(servers_, level_, forecast_.table(), state.measured, to_seconds(round), state.now);
   bookings_.clear();
   return true;
 }

@@ -7,7 +7,13 @@ namespace thalweg {
 namespace {
 
 /// s between two insertions while nobody has waited yet.
-double usual_headway(const Road& road) { return 2.0 / std::max<std::uint32_t>(1, road.lane_count); }
+double usual_headway(const Network& network, const Servers& servers, RoadId road) {
+  const Road& own = network.roads[road];
+  int lanes = 0;
+  for (std::uint32_t k = 0; k < own.lane_count; ++k)
+    lanes += servers.carries(LaneId{own.first_lane.value + k}) ? 1 : 0;
+  return 2.0 / std::max(1, lanes);
+}
 
 }  // namespace
 
@@ -20,7 +26,7 @@ Discharge::Discharge(const Network& network, const Servers& servers, const Deman
       roads_(network.roads.size()),
       last_(demand.vehicles.size()) {
   for (std::size_t i = 0; i < roads_.size(); ++i)
-    roads_[RoadId{i}].headway = usual_headway(network.roads[RoadId{i}]);
+    roads_[RoadId{i}].headway = usual_headway(network, servers, RoadId{i});
 }
 
 void Discharge::observe(const Fleet& fleet, Millis now) {
@@ -93,7 +99,7 @@ void Discharge::learn(double seconds) {
     } else if (road.inserted * road.headway > seconds) {
       road.headway = seconds / road.inserted;
     } else {
-      road.headway += 0.1 * (usual_headway(network_.roads[RoadId{i}]) - road.headway);
+      road.headway += 0.1 * (usual_headway(network_, servers_, RoadId{i}) - road.headway);
     }
     road.inserted = 0;
     road.busy_looks = 0;

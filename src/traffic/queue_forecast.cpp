@@ -104,7 +104,7 @@ void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
   Millis known_until = now;  // SUMO has loaded everybody up to here
   for (const VehicleId vehicle : fleet.present()) known_until = std::max(known_until, fleet[vehicle].depart);
   if (expected_.empty()) {
-    if (options_.repeated > 0) repeat_departures(known_until, now);
+    if (options_.repeated > 0) repeat_departures(fleet, known_until, now);
     return;
   }
   auto next = std::upper_bound(expected_.begin(), expected_.end(), known_until,
@@ -113,13 +113,18 @@ void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
     add(on(next->route), to_seconds(next->time - now), Kind::departs);
 }
 
-void QueueForecast::repeat_departures(Millis known_until, Millis now) {
-  for (const Departure& departure : recent_) {
-    if (departure.time <= known_until - options_.repeated || departure.time > known_until) continue;
-    for (Millis time = departure.time + options_.repeated; to_seconds(time - now) <= horizon_;
+void QueueForecast::repeat_departures(const Fleet& fleet, Millis known_until, Millis now) {
+  const auto repeat = [&](Millis departure, const std::vector<RoadId>& route) {
+    if (departure <= known_until - options_.repeated || departure > known_until) return;
+    for (Millis time = departure + options_.repeated; to_seconds(time - now) <= horizon_;
          time += options_.repeated) {
-      if (time > known_until) add(on(departure.route), to_seconds(time - now), Kind::departs);
+      if (time > known_until) add(on(route), to_seconds(time - now), Kind::departs);
     }
+  };
+  for (const Departure& departure : recent_) repeat(departure.time, departure.route);
+  for (const VehicleId vehicle : fleet.present()) {  // those that are loaded and will depart count as well
+    const FleetVehicle& own = fleet[vehicle];
+    if (own.depart > now && own.route.size() >= 2) repeat(own.depart, own.route);
   }
 }
 

@@ -109,7 +109,7 @@ class QueueForecast {
   }
   void place(VehicleId id, const FleetVehicle& vehicle, double now);
   void assume_departures(const Fleet& fleet, Millis now);
-  void repeat_departures(Millis known_until, Millis now);
+  void repeat_departures(const Fleet& fleet, Millis known_until, Millis now);
   void add(const Mover& mover, double time, Kind kind);
   [[nodiscard]] double crossing(RoadId road) const { return pace_ * servers_.free_flow(road); }
   void handle(const Event& event);

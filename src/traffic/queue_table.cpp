@@ -8,16 +8,19 @@
 namespace thalweg {
 namespace {
 
-/// What each turn's best lane takes when nobody is there, in the mean over the turns.
+/// What each turn's best lane takes when nobody is there, in the mean over the turns of the motor traffic.
 double lone_wait(const Servers& servers, RoadId road) {
   double sum = 0;
+  int count = 0;
   for (std::size_t m = servers.first_of(road); m < servers.last_of(road); ++m) {
+    const auto lanes = servers.lanes(MovementId{m});
+    if (!servers.carries(lanes.front())) continue;
     double least = std::numeric_limits<double>::infinity();
-    for (const LaneId lane : servers.lanes(MovementId{m})) least = std::min(least, servers.means(lane).delay);
+    for (const LaneId lane : lanes) least = std::min(least, servers.means(lane).delay);
     sum += least;
+    ++count;
   }
-  const std::size_t count = servers.last_of(road) - servers.first_of(road);
-  return count > 0 ? sum / static_cast<double>(count) : 0;
+  return count > 0 ? sum / count : 0;
 }
 
 }  // namespace
@@ -54,7 +57,7 @@ void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharg
   for (std::uint32_t k = 0; k < own.lane_count; ++k) {
     const LaneId lane{own.first_lane.value + k};
     const double headway = servers.means(lane).headway * discharge.factor(lane);
-    if (headway > 0) rate += 1 / headway;
+    if (headway > 0 && servers.carries(lane)) rate += 1 / headway;
     total += passed[lane].size();
   }
   headway_[road] = rate > 0 ? 1 / rate : 0;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace thalweg {
 
@@ -10,33 +11,61 @@ Residuals::Residuals(const Network& network, const ResidualOptions& options)
     : network_(network),
       options_(options),
       sums_(network.roads.size()),
+      late_sums_(network.roads.size()),
       lasting_(network.roads.size(), 0),
-      passing_(network.roads.size(), 0) {}
+      passing_(network.roads.size(), 0),
+      late_(network.roads.size(), 0) {}
+
+void Residuals::Sums::fade(double share) {
+  weight *= share;
+  over *= share;
+}
+
+void Residuals::Sums::add(double more, double seconds) {
+  weight += more;
+  over += more * seconds;
+}
 
 void Residuals::learn(const Servers& servers, const Level& level, const QueueTable& expected,
-                      const MeasuredTimes& measured, double seconds) {
+                      const MeasuredTimes& measured, double seconds, Millis now) {
   const double fading = std::exp(-seconds / options_.memory);
   const double share = seconds / measured.window();  // of the window that is new
+  // What was measured stands for the middle of its window.
+  const Millis comparable = now - from_seconds(options_.lead + measured.window() / 2);
+  while (outlooks_.size() > 1 && outlooks_[1].made <= comparable) outlooks_.pop_front();
+  const Outlook* then = !outlooks_.empty() && outlooks_[0].made <= comparable ? &outlooks_[0] : nullptr;
+  Outlook outlook{.made = now, .times = std::vector<float>(network_.roads.size(), 0)};
   for (std::size_t i = 0; i < network_.roads.size(); ++i) {
     const RoadId road{i};
-    Sums& sums = sums_[road];
-    sums = {.weight = sums.weight * fading, .over = sums.over * fading};
+    sums_[road].fade(fading);
+    late_sums_[road].fade(fading);
     passing_[road] = 0;
-    const Passage passage = measured.passage(road);
-    if (passage.vehicle_seconds <= 0) continue;
     const bool is_normal = network_.roads[road].function == RoadFunction::normal;
     const double free_flow = std::max(0.1, servers.free_flow(road));
-    double model = std::max(0.1, free_flow + level.extra(servers, road));
-    if (is_normal) model += expected.wait_after(road, free_flow);
-    const double longest = is_normal ? options_.longest_road : options_.longest_junction;
-    const double seen =
-        std::min(longest, passage.vehicle_seconds / std::max(passage.traversals, options_.least_traversals));
-    const double weight = std::max(passage.traversals, passage.vehicle_seconds / model);
-    sums.weight += weight * share;
-    sums.over += weight * share * std::clamp(seen - model, -options_.most_lasting, options_.most_lasting);
-    lasting_[road] = sums.over / (sums.weight + options_.prior);
-    passing_[road] = (seen - model - lasting_[road]) * weight / (weight + options_.prior);
+    const double alone = std::max(0.1, free_flow + level.extra(servers, road));
+    const Passage passage = measured.passage(road);
+    if (passage.vehicle_seconds > 0) {
+      const double model = alone + (is_normal ? expected.wait_after(road, free_flow) : 0);
+      const double longest = is_normal ? options_.longest_road : options_.longest_junction;
+      const double seen = std::min(
+          longest, passage.vehicle_seconds / std::max(passage.traversals, options_.least_traversals));
+      const double weight = std::max(passage.traversals, passage.vehicle_seconds / model);
+      const auto clamped = [](double over, double most) { return std::clamp(over, -most, most); };
+      sums_[road].add(weight * share, clamped(seen - model, options_.most_lasting));
+      lasting_[road] = sums_[road].mean(options_.prior);
+      passing_[road] = (seen - model - lasting_[road]) * weight / (weight + options_.prior);
+      if (then != nullptr && is_normal) {
+        const auto foretold = static_cast<double>(then->times[i]);
+        late_sums_[road].add(weight * share, clamped(seen - foretold, options_.most_late));
+        late_[road] = late_sums_[road].mean(options_.prior);
+      }
+    }
+    if (!is_normal) continue;
+    outlook.times[i] =
+        static_cast<float>(alone + expected.wait_after(road, free_flow + options_.lead) + lasting_[road] +
+                           passing_[road] * std::exp(-options_.lead / options_.fading));
   }
+  outlooks_.push_back(std::move(outlook));
 }
 
 }  // namespace thalweg

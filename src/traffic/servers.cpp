@@ -9,6 +9,11 @@
 namespace thalweg {
 namespace {
 
+/// The one that it leaves.
+LaneId lane_of(const Network& network, const Connection& c) {
+  return LaneId{network.roads[c.from].first_lane.value + c.from_lane};
+}
+
 /// Seconds on the internal lanes from this one on.
 double through_time(const Network& network, const IdVector<LaneId, LaneId>& next, LaneId via) {
   double seconds = 0;
@@ -16,6 +21,20 @@ double through_time(const Network& network, const IdVector<LaneId, LaneId>& next
     seconds += network.lanes[via].length / std::max(0.5, network.lanes[via].speed);
   }
   return seconds;
+}
+
+/// How much of the motor traffic may use a lane: cars, only others (buses, trams), nobody but pedestrians and
+/// bicycles.
+int openness(const Lane& lane) {
+  constexpr Permissions on_foot_or_bicycle = [] {
+    Permissions set = Permissions::none();
+    for (const VehicleClass c :
+         {VehicleClass::pedestrian, VehicleClass::wheelchair, VehicleClass::bicycle, VehicleClass::scooter})
+      set.add(c);
+    return set;
+  }();
+  if (lane.permissions.allows(VehicleClass::passenger)) return 2;
+  return (lane.permissions & on_foot_or_bicycle.complement()) == Permissions::none() ? 0 : 1;
 }
 
 bool gives_way_after_stop(char state) { return state == 's' || state == 'w' || state == '='; }
@@ -27,6 +46,7 @@ Servers::Servers(const Network& network, const ServerOptions& options)
     : network_(network),
       options_(options),
       means_(network.lanes.size()),
+      carries_(network.lanes.size(), false),
       ends_(network.roads.size(), RoadEnd::major),
       free_flow_(network.roads.size(), 0),
       storage_(network.roads.size(), 0),
@@ -34,28 +54,39 @@ Servers::Servers(const Network& network, const ServerOptions& options)
       links_(network.signals.size()) {
   for (std::size_t i = 0; i < network.roads.size(); ++i) {
     const Road& road = network.roads[RoadId{i}];
+    int most = 0;
     double speed = 0;
     for (std::uint32_t k = 0; k < road.lane_count; ++k) {
       const Lane& lane = network.lanes[LaneId{road.first_lane.value + k}];
+      most = std::max(most, openness(lane));
       speed = std::max(speed, lane.speed);
+    }
+    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
+      const LaneId lane{road.first_lane.value + k};
+      carries_[lane] = openness(network.lanes[lane]) == most;
     }
     free_flow_[RoadId{i}] = network.lanes[road.first_lane].length / std::max(0.1, speed);
   }
   IdVector<LaneId, LaneId> next(network.lanes.size());
   for (const Connection& c : network.connections) {
     if (network.roads[c.from].function != RoadFunction::internal) continue;
-    next[LaneId{network.roads[c.from].first_lane.value + c.from_lane}] = c.via;
+    next[lane_of(network, c)] = c.via;
   }
   struct Way {
     std::vector<LaneId> lanes;
     const Connection* first;
+    bool carries;  ///< motor traffic, as the road does: what else leads there has no part in it
   };
   std::map<std::pair<RoadId, RoadId>, Way> ways;
   const auto is_normal = [&](RoadId road) { return network.roads[road].function == RoadFunction::normal; };
   for (const Connection& c : network.connections) {
     if (!is_normal(c.from) || !is_normal(c.to)) continue;
-    Way& way = ways.try_emplace({c.from, c.to}, Way{.lanes = {}, .first = &c}).first->second;
-    const LaneId lane{network.roads[c.from].first_lane.value + c.from_lane};
+    const LaneId lane = lane_of(network, c);
+    const bool carries = carries_[lane];
+    Way& way =
+        ways.try_emplace({c.from, c.to}, Way{.lanes = {}, .first = &c, .carries = carries}).first->second;
+    if (way.carries && !carries) continue;
+    if (carries && !way.carries) way = {.lanes = {}, .first = &c, .carries = true};
     if (std::find(way.lanes.begin(), way.lanes.end(), lane) == way.lanes.end()) way.lanes.push_back(lane);
   }
   first_.assign(network.roads.size() + 1, 0);
@@ -82,8 +113,10 @@ Servers::Servers(const Network& network, const ServerOptions& options)
   for (std::size_t i = 0; i + 1 < first_.size(); ++i) first_[i + 1] += first_[i];
   for (const Connection& c : network.connections) {
     if (!c.signal.valid() || !is_normal(c.from) || !is_normal(c.to) || c.link_index < 0) continue;
-    links_[c.signal].push_back(
-        {.movement = find(c.from, c.to), .index = static_cast<std::size_t>(c.link_index)});
+    const MovementId movement = find(c.from, c.to);
+    const auto by = lanes(movement);
+    if (std::find(by.begin(), by.end(), lane_of(network, c)) == by.end()) continue;
+    links_[c.signal].push_back({.movement = movement, .index = static_cast<std::size_t>(c.link_index)});
   }
   find_feeding_signals();
   for (std::size_t i = 0; i < network.roads.size(); ++i) refresh_road(RoadId{i});
@@ -147,6 +180,7 @@ void Servers::find_ends(const Network& network) {
   IdVector<RoadId, std::size_t> minor(network.roads.size(), 0);
   IdVector<RoadId, std::size_t> all(network.roads.size(), 0);
   for (const Connection& c : network.connections) {
+    if (!carries_[lane_of(network, c)]) continue;
     ++all[c.from];
     if (gives_way(c.state)) ++minor[c.from];
     if (c.signal.valid() && c.link_index >= 0) ends_[c.from] = RoadEnd::signal;
@@ -187,11 +221,11 @@ void Servers::refresh_road(RoadId road) {
       means.delay += movements_[MovementId{m}].delay;
       ++count;
     }
-    room += network_.lanes[lane].length / options_.space;
+    if (carries_[lane]) room += network_.lanes[lane].length / options_.space;
     if (count == 0) continue;
     means.headway /= count;
     means.delay /= count;
-    if (means.headway > 0) in_service += 1 + means.delay / means.headway;
+    if (carries_[lane] && means.headway > 0) in_service += 1 + means.delay / means.headway;
   }
   storage_[road] = std::max({options_.least_storage, room, in_service});
 }

@@ -62,6 +62,9 @@ class Servers {
     double delay = 0;
   };
   [[nodiscard]] const LaneMeans& means(LaneId lane) const { return means_[lane]; }
+  /// Whether the lane is one of those that the road's motor traffic queues on: open to cars where any is,
+  /// else to buses or trams; footways and bicycle lanes only where there is nothing else.
+  [[nodiscard]] bool carries(LaneId lane) const { return carries_[lane]; }
   [[nodiscard]] double free_flow(RoadId road) const { return free_flow_[road]; }  ///< s
   [[nodiscard]] RoadEnd end(RoadId road) const { return ends_[road]; }
   /// Vehicles. Never fewer than are in service when its lanes let pass what they can, each of them for its
@@ -88,6 +91,7 @@ class Servers {
   std::vector<std::uint32_t> lane_first_;
   std::vector<LaneId> lanes_;
   IdVector<LaneId, LaneMeans> means_;
+  IdVector<LaneId, bool> carries_;
   IdVector<RoadId, RoadEnd> ends_;
   IdVector<RoadId, double> free_flow_;
   IdVector<RoadId, double> storage_;

@@ -23,8 +23,12 @@ void TimedCosts::refresh(const Expectation& expected, Millis now) {
   to_end_.resize(graph_.turns().vertex_count());
   delay_.resize(nodes_);
   fading_.resize(nodes_);
-  for (std::size_t b = 0; b < nodes_; ++b)
-    fading_[b] = std::exp(-static_cast<double>(b) * to_seconds(bin_) / expected.residuals.options().fading);
+  late_.resize(nodes_);
+  for (std::size_t b = 0; b < nodes_; ++b) {
+    const double ahead = static_cast<double>(b) * to_seconds(bin_);
+    fading_[b] = std::exp(-ahead / expected.residuals.options().fading);
+    late_[b] = std::min(1.0, ahead / expected.residuals.options().lead);
+  }
   take_conditions(expected.conditions);
   for (std::size_t v = 0; v < graph_.turns().vertex_count(); ++v) refresh_vertex(expected, VertexId{v});
 }
@@ -51,6 +55,7 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
   }
   const Residuals& residuals = expected.residuals;
   const double passing_here = residuals.passing(road);
+  const double late_here = residuals.late(road);
   const double extra =
       slower_[road.value] + expected.level.extra(expected.servers, road) + residuals.lasting(road);
   // Of the road that is left: one computation for all its turns. Waits stand for the middles of their bins.
@@ -65,7 +70,8 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
   double at_left = wait(left);
   for (std::size_t b = 0; b < nodes_; ++b) {
     const double at_right = wait(++left);
-    delay_[b] = extra + at_left * (1 - share) + at_right * share + passing_here * fading_[b];
+    delay_[b] =
+        extra + at_left * (1 - share) + at_right * share + passing_here * fading_[b] + late_here * late_[b];
     at_left = at_right;
   }
   to_end_[v.value] = road_times_[road] + from_seconds(delay_[0]);

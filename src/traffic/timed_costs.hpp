@@ -69,7 +69,8 @@ class TimedCosts {
   std::vector<Millis> least_;        ///< by turn
   std::vector<std::int32_t> costs_;  ///< ms, by turn and bin
   std::vector<Millis> to_end_;       ///< by road
-  std::vector<double> fading_;       ///< of passing residuals, by bin
+  std::vector<double> fading_;       ///< share of passing residuals that is left, by bin
+  std::vector<double> late_;         ///< share of the late ones that counts yet, by bin
   std::vector<double> slower_;       ///< s above free flow, by road
   std::vector<bool> is_closed_;      ///< by turn
   std::vector<double> delay_;        ///< scratch: s at one road, by bin

@@ -66,6 +66,38 @@ TEST(Servers, FollowAChangeOfTheProgramme) {
       << "never quite closed";
 }
 
+//     A ==> B --> C      from the kerb: a footway, a bus lane, a lane for all; the buses have a signal of
+//                        their own, the cars have not
+constexpr const char* street = R"(<net>
+  <edge id=":B_0" function="internal"><lane id=":B_0_0" index="0" length="10" speed="2"/></edge>
+  <edge id=":B_1" function="internal"><lane id=":B_1_0" index="0" length="10" speed="10"/></edge>
+  <edge id="AB" from="A" to="B">
+    <lane id="AB_0" index="0" length="150" speed="2" allow="pedestrian bicycle"/>
+    <lane id="AB_1" index="1" length="150" speed="10" allow="bus"/>
+    <lane id="AB_2" index="2" length="150" speed="10" disallow="pedestrian"/></edge>
+  <edge id="BC" from="B" to="C"><lane id="BC_0" index="0" length="150" speed="2" allow="pedestrian bicycle"/>
+    <lane id="BC_1" index="1" length="150" speed="10" allow="bus"/></edge>
+  <tlLogic id="B" type="static" programID="0" offset="0">
+    <phase duration="30" state="G"/><phase duration="30" state="r"/></tlLogic>
+  <junction id="A" x="0" y="0"/><junction id="B" x="0" y="0"/><junction id="C" x="0" y="0"/>
+  <connection from="AB" to="BC" fromLane="0" toLane="0" via=":B_0_0" dir="s" state="m"/>
+  <connection from="AB" to="BC" fromLane="1" toLane="1" via=":B_1_0" tl="B" linkIndex="0" dir="s" state="o"/>
+  <connection from="AB" to="BC" fromLane="2" toLane="1" via=":B_1_0" dir="s" state="M"/>
+</net>)";
+
+TEST(Servers, AreTheLanesThatCarsQueueOn) {
+  const Network net = parse_network(street);
+  const Servers servers(net);
+  const MovementId to_c = servers.find(road(net, "AB"), road(net, "BC"));
+  ASSERT_EQ(servers.lanes(to_c).size(), 1U);
+  EXPECT_EQ(servers.lanes(to_c).front(), LaneId{net.roads[road(net, "AB")].first_lane.value + 2});
+  EXPECT_DOUBLE_EQ(servers[to_c].headway, 2) << "no signal of the buses'";
+  EXPECT_DOUBLE_EQ(servers[to_c].through, 1) << "not at a walk";
+  EXPECT_EQ(servers.end(road(net, "AB")), RoadEnd::major) << "who walks gives way, who drives does not";
+  EXPECT_DOUBLE_EQ(servers.storage(road(net, "AB")), 20) << "one lane of three";
+  EXPECT_DOUBLE_EQ(servers.storage(road(net, "BC")), 20) << "no car may go there, but buses may";
+}
+
 //     A --> B -> C --> D     one signal at B and C; BC is 5 m long, and both are green for the same half
 //     minute
 constexpr const char* twice_signalled = R"(<net>
