@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace thalweg {
@@ -23,6 +24,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       queues_(network.lanes.size()),
       passed_(network.lanes.size()),
       occupancy_(network.roads.size()),
+      held_up_(network.roads.size()),
       lines_(network.roads.size()),
       table_(network, options.bin, options.bins, options.tolls) {}
 
@@ -50,6 +52,8 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   ticks_.assign(ticks_.size(), {});
   tick_ = 0;
   occupancy_.assign(occupancy_.size(), 0);
+  for (const RoadId road : full_) held_up_[road].clear();
+  full_.clear();
   for (const RoadId road : lined_) lines_[road].clear();
   lined_.clear();
   insertion_.assign(fleet.size(), 0);
@@ -159,6 +163,8 @@ void QueueForecast::handle(const Event& event) {
       return reach_end(event);
     case Kind::leaves:
       return leave(event);
+    case Kind::forces_its_way:
+      return force_its_way(event);
   }
 }
 
@@ -203,8 +209,7 @@ void QueueForecast::reach_end(const Event& event) {
   mover.movement = mover.road == mover.last ? MovementId{} : servers_.find(road, mover.road[1]);
   if (!mover.movement.valid()) {  // arrived, or its route is not what SUMO drives
     if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
-    --occupancy_[road];
-    return;
+    return give_up_place(road, event.time);
   }
   const auto lanes = servers_.lanes(mover.movement);
   LaneId shortest = lanes.front();
@@ -237,10 +242,14 @@ void QueueForecast::leave(const Event& event) {
   Mover& mover = movers_[passed.mover];
   const Movement& movement = servers_[mover.movement];
   const RoadId next = movement.to;
-  if (occupancy_[next] >= servers_.storage(next)) {  // the queue ahead has come back to here
-    if (queue.blocked_since < 0) queue.blocked_since = event.time;
-    if (event.time - queue.blocked_since < options_.blocked_patience)
-      return push(event.time + options_.blocked_retry, Kind::leaves, lane.value);
+  if (!has_room(next) && !is_out_of_patience(queue, event.time)) {  // the queue ahead has come back to here
+    if (queue.blocked_since < 0) {
+      queue.blocked_since = event.time;
+      push(event.time + options_.blocked_patience, Kind::forces_its_way, lane.value);
+    }
+    if (held_up_[next].empty()) full_.push_back(next);
+    held_up_[next].push_back(lane);
+    return;
   }
   queue.blocked_since = -1;
   if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
@@ -249,11 +258,31 @@ void QueueForecast::leave(const Event& event) {
   ++queue.head;
   queue.is_active = false;
   queue.free_at = event.time + movement.headway * discharge_.factor(lane);
-  --occupancy_[movement.from];
   ++occupancy_[next];
   ++mover.road;
   push(event.time + junction_pace_ * movement.through + crossing(next), Kind::reaches_end, passed.mover);
   if (queue.head < passed_[lane].size()) schedule_head(lane);
+  give_up_place(movement.from, event.time);
+}
+
+void QueueForecast::force_its_way(const Event& event) {
+  const LaneId lane{event.subject};
+  if (!is_out_of_patience(queues_[lane], event.time)) return;  // another waits there now
+  if (std::erase(held_up_[movement_of_first(lane).to], lane) > 0) leave(event);
+}
+
+void QueueForecast::give_up_place(RoadId road, double time) {
+  --occupancy_[road];
+  std::vector<LaneId>& lanes = held_up_[road];
+  if (lanes.empty() || !has_room(road)) return;
+  // Else those who want to get on a roundabout would fill it, and nobody could leave it any more.
+  const auto rank = [&](LaneId lane) {
+    return std::tuple(movement_of_first(lane).gives_way, queues_[lane].blocked_since, lane);
+  };
+  const auto first =
+      std::min_element(lanes.begin(), lanes.end(), [&](LaneId a, LaneId b) { return rank(a) < rank(b); });
+  push(time, Kind::leaves, first->value);
+  lanes.erase(first);
 }
 
 }  // namespace thalweg

@@ -18,7 +18,6 @@ struct ForecastOptions {
   std::size_t bins = 60;          ///< the horizon is bins * bin
   Millis repeated = 600'000;      ///< departures of this past are repeated until the horizon; 0: none assumed
   double full = 0.9;              ///< nobody is inserted on a road that is so full
-  double blocked_retry = 3;       ///< s until the head of a queue looks again for room
   double blocked_patience = 150;  ///< s after which it goes anyway: the forecast must not lock up
   double insertion_retry = 5;     ///< s until the first in line looks again for room
   bool tolls = false;             ///< the table has them
@@ -90,10 +89,10 @@ class QueueForecast {
   };
   static constexpr std::uint32_t none = 0xffffffff;
   static constexpr double ticks_a_second = 10;
-  enum class Kind : std::uint8_t { reaches_end, leaves, departs, enters };
+  enum class Kind : std::uint8_t { reaches_end, leaves, forces_its_way, departs, enters };
   struct Event {
     double time;            ///< s from now
-    std::uint32_t subject;  ///< a mover; the lane for `leaves`, the road for `enters`
+    std::uint32_t subject;  ///< a mover; the lane for `leaves` and `forces_its_way`, the road for `enters`
     std::uint32_t next;     ///< in the same tick
     Kind kind;
   };
@@ -118,6 +117,16 @@ class QueueForecast {
   void estimate_later_insertions();
   void reach_end(const Event& event);
   void leave(const Event& event);
+  void force_its_way(const Event& event);
+  [[nodiscard]] bool has_room(RoadId road) const { return occupancy_[road] < servers_.storage(road); }
+  [[nodiscard]] const Movement& movement_of_first(LaneId lane) const {
+    return servers_[movers_[passed_[lane][queues_[lane].head].mover].movement];
+  }
+  [[nodiscard]] bool is_out_of_patience(const Queue& queue, double time) const {
+    return queue.blocked_since >= 0 && time >= queue.blocked_since + options_.blocked_patience;
+  }
+  /// One has left the road: somebody may follow.
+  void give_up_place(RoadId road, double time);
   void schedule_head(LaneId lane);
   void push(double time, Kind kind, std::uint32_t subject);
 
@@ -142,6 +151,8 @@ class QueueForecast {
   IdVector<LaneId, std::vector<Passed>> passed_;
   std::vector<LaneId> used_;  ///< queues that are not as new
   IdVector<RoadId, int> occupancy_;
+  IdVector<RoadId, std::vector<LaneId>> held_up_;  ///< lanes whose first waits for room on the road
+  std::vector<RoadId> full_;                       ///< roads that have held up somebody
   IdVector<RoadId, Line> lines_;
   std::vector<RoadId> lined_;  ///< lines that are not as new
   IdVector<VehicleId, Millis> insertion_;

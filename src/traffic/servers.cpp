@@ -96,6 +96,7 @@ Servers::Servers(const Network& network, const ServerOptions& options)
     movement.through = through_time(network, next, way.first->via);
     const char state = way.first->state;
     const double saturation = options.saturation_headway;
+    movement.gives_way = gives_way(state);
     if (gives_way_after_stop(state)) {
       movement.headway = 2.5 * saturation;
       movement.delay = 4;

@@ -14,9 +14,10 @@ namespace thalweg {
 struct Movement {
   RoadId from;
   RoadId to;
-  double through = 0;  ///< s to cross the junction, nobody in the way
-  double headway = 2;  ///< s between two vehicles that leave a lane one after the other
-  double delay = 0;    ///< s that a vehicle waits at the stop line though nobody is before it
+  double through = 0;      ///< s to cross the junction, nobody in the way
+  double headway = 2;      ///< s between two vehicles that leave a lane one after the other
+  double delay = 0;        ///< s that a vehicle waits at the stop line though nobody is before it
+  bool gives_way = false;  ///< by the right of way; no signal says when
 };
 
 /// What those meet who reach the end of a road: nobody has to give way, some turns have to, all have to; a

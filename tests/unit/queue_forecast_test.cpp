@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "network/read_network.hpp"
 #include "support/queueing.hpp"
 
 namespace thalweg::testing {
@@ -86,6 +87,42 @@ TEST_F(Queues, AFullRoadHoldsThoseBehindIt) {
   QueueForecast blocked(narrow, slow, discharge, nobody_assumed);
   blocked.run(driven.fleet, Level(narrow), 1'200'000);
   EXPECT_GT(blocked.table().wait(road(narrow, "AB"), 0), 2 * unhindered);
+}
+
+//     A ----> M -> N --> O      MN is 15 m long: two find room on it, and its end lets one pass in 5 s. Who
+//             ^                 comes from B gives way to those from A.
+//             B
+constexpr const char* merge = R"(<net>
+  <edge id="AM" from="A" to="M"><lane id="AM_0" index="0" length="300" speed="10"/></edge>
+  <edge id="BM" from="B" to="M"><lane id="BM_0" index="0" length="300" speed="10"/></edge>
+  <edge id="MN" from="M" to="N"><lane id="MN_0" index="0" length="15" speed="10"/></edge>
+  <edge id="NO" from="N" to="O"><lane id="NO_0" index="0" length="300" speed="10"/></edge>
+  <junction id="A" x="0" y="0"/><junction id="B" x="0" y="0"/><junction id="M" x="0" y="0"/>
+  <junction id="N" x="0" y="0"/><junction id="O" x="0" y="0"/>
+  <connection from="AM" to="MN" fromLane="0" toLane="0" dir="s" state="M"/>
+  <connection from="BM" to="MN" fromLane="0" toLane="0" dir="s" state="m"/>
+  <connection from="MN" to="NO" fromLane="0" toLane="0" dir="s" state="s"/>
+</net>)";
+
+// Ten stand on either side: those of A go on as places on MN become free, and those of B after them, but for
+// the first, who found room at once. A place is taken as soon as it is there.
+TEST_F(Queues, WhoHasTheRightOfWayGetsTheNextPlace) {
+  const Network junction = parse_network(merge);
+  const Servers lanes(junction);
+  Driven driven(junction, 20);
+  std::vector<Driven::At> places;
+  for (std::size_t i = 0; i < 20; ++i) {
+    driven.load(i, i < 10 ? "AMNO" : "BMNO");
+    places.push_back({.vehicle = i, .road = i < 10 ? "AM" : "BM", .metres = 299});
+  }
+  driven.look(places);
+  const Discharge discharge(junction, lanes, driven.demand);
+  QueueForecast forecast(junction, lanes, discharge, nobody_assumed);
+  forecast.run(driven.fleet, Level(junction), 0);
+  const auto leaves = [&](std::size_t i) { return to_seconds(forecast.leaving(VehicleId{i}).time); };
+  for (std::size_t i = 1; i < 10; ++i) EXPECT_GT(leaves(11), leaves(i)) << i;
+  EXPECT_NEAR(leaves(9) - leaves(3), 6 * 5, 1) << "one for each that leaves MN";
+  EXPECT_NEAR(leaves(19) - leaves(12), 7 * 5, 1);
 }
 
 // A vehicle every 10 s for 600 s: as many are assumed for the next 600 s, and none when that is switched off.
