@@ -123,6 +123,19 @@ TEST_F(TimedCostsTest, WhatForecastsMissedLaterIsMadeUpForThere) {
   EXPECT_EQ(residuals.late(road(net, "BC")), 0) << "nobody was there";
 }
 
+// At night nobody is there to show that the jam of the day is over: what was learned from it fades.
+TEST_F(TimedCostsTest, WhatNobodySeesAnyMoreIsForgotten) {
+  const MeasuredTimes slow = slow_road(net, "AB");
+  const MeasuredTimes nobody(net, 180'000, 1'000);
+  Millis now = 0;
+  for (; now < 7'200'000; now += 15'000) residuals.learn(servers, level, table, slow, 15, now);
+  EXPECT_GT(residuals.lasting(road(net, "AB")), 15);
+  EXPECT_GT(residuals.late(road(net, "AB")), 10);
+  for (; now < 36'000'000; now += 15'000) residuals.learn(servers, level, table, nobody, 15, now);
+  EXPECT_NEAR(residuals.lasting(road(net, "AB")), 0, 0.1);
+  EXPECT_NEAR(residuals.late(road(net, "AB")), 0, 0.1);
+}
+
 // BC is closed for ten seconds, and slow from then on.
 TEST_F(TimedCostsTest, KnowWhatIsClosedAndWhatIsSlow) {
   const Driven driven(net, 1);
