@@ -23,6 +23,11 @@ double through_time(const Network& network, const IdVector<LaneId, LaneId>& next
   return seconds;
 }
 
+bool leads_from_road_to_road(const Network& network, const Connection& c) {
+  return network.roads[c.from].function == RoadFunction::normal &&
+         network.roads[c.to].function == RoadFunction::normal;
+}
+
 /// How much of the motor traffic may use a lane: cars, only others (buses, trams), nobody but pedestrians and
 /// bicycles.
 int openness(const Lane& lane) {
@@ -52,25 +57,41 @@ Servers::Servers(const Network& network, const ServerOptions& options)
       storage_(network.roads.size(), 0),
       fed_by_(network.roads.size()),
       links_(network.signals.size()) {
-  for (std::size_t i = 0; i < network.roads.size(); ++i) {
-    const Road& road = network.roads[RoadId{i}];
+  measure_roads();
+  make_movements();
+  find_links();
+  find_feeding_signals();
+  for (std::size_t i = 0; i < network.roads.size(); ++i) refresh_road(RoadId{i});
+  for (std::size_t i = 0; i < network.signals.size(); ++i) {
+    const auto& programmes = network.signals[SignalId{i}].programmes;
+    if (!programmes.empty()) set_programme(SignalId{i}, programmes.front());
+  }
+  find_ends();
+}
+
+void Servers::measure_roads() {
+  for (std::size_t i = 0; i < network_.roads.size(); ++i) {
+    const Road& road = network_.roads[RoadId{i}];
     int most = 0;
     double speed = 0;
     for (std::uint32_t k = 0; k < road.lane_count; ++k) {
-      const Lane& lane = network.lanes[LaneId{road.first_lane.value + k}];
+      const Lane& lane = network_.lanes[LaneId{road.first_lane.value + k}];
       most = std::max(most, openness(lane));
       speed = std::max(speed, lane.speed);
     }
     for (std::uint32_t k = 0; k < road.lane_count; ++k) {
       const LaneId lane{road.first_lane.value + k};
-      carries_[lane] = openness(network.lanes[lane]) == most;
+      carries_[lane] = openness(network_.lanes[lane]) == most;
     }
-    free_flow_[RoadId{i}] = network.lanes[road.first_lane].length / std::max(0.1, speed);
+    free_flow_[RoadId{i}] = network_.lanes[road.first_lane].length / std::max(0.1, speed);
   }
-  IdVector<LaneId, LaneId> next(network.lanes.size());
-  for (const Connection& c : network.connections) {
-    if (network.roads[c.from].function != RoadFunction::internal) continue;
-    next[lane_of(network, c)] = c.via;
+}
+
+void Servers::make_movements() {
+  IdVector<LaneId, LaneId> next(network_.lanes.size());
+  for (const Connection& c : network_.connections) {
+    if (network_.roads[c.from].function != RoadFunction::internal) continue;
+    next[lane_of(network_, c)] = c.via;
   }
   struct Way {
     std::vector<LaneId> lanes;
@@ -78,10 +99,9 @@ Servers::Servers(const Network& network, const ServerOptions& options)
     bool carries;  ///< motor traffic, as the road does: what else leads there has no part in it
   };
   std::map<std::pair<RoadId, RoadId>, Way> ways;
-  const auto is_normal = [&](RoadId road) { return network.roads[road].function == RoadFunction::normal; };
-  for (const Connection& c : network.connections) {
-    if (!is_normal(c.from) || !is_normal(c.to)) continue;
-    const LaneId lane = lane_of(network, c);
+  for (const Connection& c : network_.connections) {
+    if (!leads_from_road_to_road(network_, c)) continue;
+    const LaneId lane = lane_of(network_, c);
     const bool carries = carries_[lane];
     Way& way =
         ways.try_emplace({c.from, c.to}, Way{.lanes = {}, .first = &c, .carries = carries}).first->second;
@@ -89,13 +109,13 @@ Servers::Servers(const Network& network, const ServerOptions& options)
     if (carries && !way.carries) way = {.lanes = {}, .first = &c, .carries = true};
     if (std::find(way.lanes.begin(), way.lanes.end(), lane) == way.lanes.end()) way.lanes.push_back(lane);
   }
-  first_.assign(network.roads.size() + 1, 0);
+  first_.assign(network_.roads.size() + 1, 0);
   lane_first_.push_back(0);
   for (const auto& [roads, way] : ways) {
     Movement movement{.from = roads.first, .to = roads.second};
-    movement.through = through_time(network, next, way.first->via);
+    movement.through = through_time(network_, next, way.first->via);
     const char state = way.first->state;
-    const double saturation = options.saturation_headway;
+    const double saturation = options_.saturation_headway;
     movement.gives_way = gives_way(state);
     if (gives_way_after_stop(state)) {
       movement.headway = 2.5 * saturation;
@@ -112,20 +132,16 @@ Servers::Servers(const Network& network, const ServerOptions& options)
     lane_first_.push_back(static_cast<std::uint32_t>(lanes_.size()));
   }
   for (std::size_t i = 0; i + 1 < first_.size(); ++i) first_[i + 1] += first_[i];
-  for (const Connection& c : network.connections) {
-    if (!c.signal.valid() || !is_normal(c.from) || !is_normal(c.to) || c.link_index < 0) continue;
+}
+
+void Servers::find_links() {
+  for (const Connection& c : network_.connections) {
+    if (!c.signal.valid() || !leads_from_road_to_road(network_, c) || c.link_index < 0) continue;
     const MovementId movement = find(c.from, c.to);
     const auto by = lanes(movement);
-    if (std::find(by.begin(), by.end(), lane_of(network, c)) == by.end()) continue;
+    if (std::find(by.begin(), by.end(), lane_of(network_, c)) == by.end()) continue;
     links_[c.signal].push_back({.movement = movement, .index = static_cast<std::size_t>(c.link_index)});
   }
-  find_feeding_signals();
-  for (std::size_t i = 0; i < network.roads.size(); ++i) refresh_road(RoadId{i});
-  for (std::size_t i = 0; i < network.signals.size(); ++i) {
-    const auto& programmes = network.signals[SignalId{i}].programmes;
-    if (!programmes.empty()) set_programme(SignalId{i}, programmes.front());
-  }
-  find_ends(network);
 }
 
 void Servers::set_programme(SignalId signal, const SignalProgramme& programme) {
@@ -177,11 +193,11 @@ MovementId Servers::find(RoadId from, RoadId to) const {
   return {};
 }
 
-void Servers::find_ends(const Network& network) {
-  IdVector<RoadId, std::size_t> minor(network.roads.size(), 0);
-  IdVector<RoadId, std::size_t> all(network.roads.size(), 0);
-  for (const Connection& c : network.connections) {
-    if (!carries_[lane_of(network, c)]) continue;
+void Servers::find_ends() {
+  IdVector<RoadId, std::size_t> minor(network_.roads.size(), 0);
+  IdVector<RoadId, std::size_t> all(network_.roads.size(), 0);
+  for (const Connection& c : network_.connections) {
+    if (!carries_[lane_of(network_, c)]) continue;
     ++all[c.from];
     if (gives_way(c.state)) ++minor[c.from];
     if (c.signal.valid() && c.link_index >= 0) ends_[c.from] = RoadEnd::signal;

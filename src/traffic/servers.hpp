@@ -77,13 +77,16 @@ class Servers {
     MovementId movement;
     std::size_t index;
   };
+  void measure_roads();
+  void make_movements();
+  void find_links();
   /// The delay at the end of a road that this signal alone lets vehicles onto; nothing for other roads.
   [[nodiscard]] std::optional<double> coordinated(SignalId signal, const SignalProgramme& programme,
                                                   MovementId movement) const;
   void find_feeding_signals();
   /// What follows from the movements that leave it: the means of its lanes, its room.
   void refresh_road(RoadId road);
-  void find_ends(const Network& network);
+  void find_ends();
 
   const Network& network_;
   ServerOptions options_;
