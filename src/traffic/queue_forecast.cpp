@@ -281,7 +281,7 @@ void QueueForecast::give_up_place(RoadId road, double time) {
   };
   const auto first =
       std::min_element(lanes.begin(), lanes.end(), [&](LaneId a, LaneId b) { return rank(a) < rank(b); });
-  push(time, Kind::leaves, first->value);
+  push(time + options_.gap_travel, Kind::leaves, first->value);
   lanes.erase(first);
 }
 

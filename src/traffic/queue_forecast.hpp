@@ -18,6 +18,7 @@ struct ForecastOptions {
   std::size_t bins = 60;          ///< the horizon is bins * bin
   Millis repeated = 600'000;      ///< departures of this past are repeated until the horizon; 0: none assumed
   double full = 0.9;              ///< nobody is inserted on a road that is so full
+  double gap_travel = 1.5;        ///< s until a place that became free is where the next one waits
   double blocked_patience = 150;  ///< s after which it goes anyway: the forecast must not lock up
   double insertion_retry = 5;     ///< s until the first in line looks again for room
   bool tolls = false;             ///< the table has them
@@ -125,7 +126,8 @@ class QueueForecast {
   [[nodiscard]] bool is_out_of_patience(const Queue& queue, double time) const {
     return queue.blocked_since >= 0 && time >= queue.blocked_since + options_.blocked_patience;
   }
-  /// One has left the road: somebody may follow.
+  /// One has left the road: somebody may follow, when the gap has moved back to him (a jam spreads at some
+  /// 5 m/s, 7.5 m a vehicle).
   void give_up_place(RoadId road, double time);
   void schedule_head(LaneId lane);
   void push(double time, Kind kind, std::uint32_t subject);
