@@ -19,14 +19,16 @@ double usual_headway(const Network& network, const Servers& servers, RoadId road
 
 Discharge::Discharge(const Network& network, const Servers& servers, const Demand& demand,
                      const DischargeOptions& options)
-    : network_(network),
-      servers_(servers),
+    : servers_(servers),
       options_(options),
       lanes_(network.lanes.size()),
       roads_(network.roads.size()),
       last_(demand.vehicles.size()) {
-  for (std::size_t i = 0; i < roads_.size(); ++i)
-    roads_[RoadId{i}].headway = usual_headway(network, servers, RoadId{i});
+  for (std::size_t i = 0; i < roads_.size(); ++i) {
+    RoadState& road = roads_[RoadId{i}];
+    road.usual_headway = usual_headway(network, servers, RoadId{i});
+    road.headway = road.usual_headway;
+  }
 }
 
 void Discharge::observe(const Fleet& fleet, Millis now) {
@@ -92,14 +94,13 @@ void Discharge::learn(double seconds) {
     lane.served = 0;
     lane.busy_looks = 0;
   }
-  for (std::size_t i = 0; i < roads_.size(); ++i) {
-    RoadState& road = roads_[RoadId{i}];
+  for (RoadState& road : roads_) {
     if (road.busy_looks == looks_) {
       road.headway += 0.5 * (std::min(60.0, seconds / std::max(1, road.inserted)) - road.headway);
     } else if (road.inserted * road.headway > seconds) {
       road.headway = seconds / road.inserted;
     } else {
-      road.headway += 0.1 * (usual_headway(network_, servers_, RoadId{i}) - road.headway);
+      road.headway += 0.1 * (road.usual_headway - road.headway);
     }
     road.inserted = 0;
     road.busy_looks = 0;

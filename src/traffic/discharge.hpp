@@ -41,6 +41,7 @@ class Discharge {
     int busy_looks = 0;
   };
   struct RoadState {
+    double usual_headway = 2;  ///< while nobody has waited yet
     double headway = 2;
     int waiting = 0;  ///< at this look
     int busy_looks = 0;
@@ -56,7 +57,6 @@ class Discharge {
   void note(VehicleId vehicle, const FleetVehicle& now);
   void learn(double seconds);
 
-  const Network& network_;
   const Servers& servers_;
   DischargeOptions options_;
   IdVector<LaneId, LaneState> lanes_;

@@ -52,8 +52,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   ticks_.assign(ticks_.size(), {});
   tick_ = 0;
   occupancy_.assign(occupancy_.size(), 0);
-  for (const RoadId road : full_) held_up_[road].clear();
-  full_.clear();
+  for (auto& lanes : held_up_) lanes.clear();
   for (const RoadId road : lined_) lines_[road].clear();
   lined_.clear();
   insertion_.assign(fleet.size(), 0);
@@ -247,7 +246,6 @@ void QueueForecast::leave(const Event& event) {
       queue.blocked_since = event.time;
       push(event.time + options_.blocked_patience, Kind::forces_its_way, lane.value);
     }
-    if (held_up_[next].empty()) full_.push_back(next);
     held_up_[next].push_back(lane);
     return;
   }

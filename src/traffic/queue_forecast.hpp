@@ -154,7 +154,6 @@ class QueueForecast {
   std::vector<LaneId> used_;  ///< queues that are not as new
   IdVector<RoadId, int> occupancy_;
   IdVector<RoadId, std::vector<LaneId>> held_up_;  ///< lanes whose first waits for room on the road
-  std::vector<RoadId> full_;                       ///< roads that have held up somebody
   IdVector<RoadId, Line> lines_;
   std::vector<RoadId> lined_;  ///< lines that are not as new
   IdVector<VehicleId, Millis> insertion_;

@@ -6,7 +6,6 @@
 #include <utility>
 
 namespace thalweg {
-
 namespace {
 
 double clamped(double seconds, double most) { return std::clamp(seconds, -most, most); }
