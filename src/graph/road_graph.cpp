@@ -21,7 +21,7 @@ IdVector<RoadId, RoadId> next_internal_roads(const Network& network) {
 
 bool usable(const Network& network, const Connection& c, VehicleClass vehicle_class) {
   const auto lane = [&](RoadId road, std::uint32_t index) {
-    return network.lanes[LaneId{network.roads[road].first_lane.value + index}].permissions;
+    return network.lanes[network.roads[road].lane(index)].permissions;
   };
   Permissions permissions = lane(c.from, c.from_lane) & lane(c.to, c.to_lane) & c.permissions;
   if (c.via.valid()) permissions = permissions & network.lanes[c.via].permissions;
@@ -45,9 +45,7 @@ RoadGraph::RoadGraph(const Network& network, VehicleClass vehicle_class)
     if (road.function != RoadFunction::normal && road.function != RoadFunction::zone) continue;
     vertices_[RoadId{i}] = roads_.push_back(RoadId{i});
     Permissions any = Permissions::none();
-    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
-      any = any | network.lanes[LaneId{road.first_lane.value + k}].permissions;
-    }
+    for (const LaneId lane : road.lanes()) any = any | network.lanes[lane].permissions;
     permitted_.push_back(any.allows(vehicle_class));
   }
 
@@ -92,9 +90,9 @@ RoadTimes free_flow_times(const Network& network, VehicleClass vehicle_class, do
     const Road& road = network.roads[RoadId{i}];
     double length = 0;
     double speed = 0;
-    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
-      const Lane& lane = network.lanes[LaneId{road.first_lane.value + k}];
-      if (k > 0 && lane.speed <= speed) continue;
+    for (const LaneId id : road.lanes()) {
+      const Lane& lane = network.lanes[id];
+      if (id != road.first_lane && lane.speed <= speed) continue;
       speed = lane.speed;
       length = lane.length;
     }

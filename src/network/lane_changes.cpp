@@ -52,8 +52,8 @@ class Reader {
       if (!is_road) {
         add(id, change);
       } else if (const auto road = network_.find_road(id)) {
-        for (std::uint32_t k = 0; k < network_.roads[*road].lane_count; ++k) {
-          change.lane = LaneId{network_.roads[*road].first_lane.value + k};
+        for (const LaneId lane : network_.roads[*road].lanes()) {
+          change.lane = lane;
           changes.push_back(change);
         }
       }
@@ -100,7 +100,7 @@ class Reader {
     const auto road = network_.find_road(lane.substr(0, mark));
     const auto index = parse_integer<std::uint32_t>(lane.substr(mark + 1));
     if (!road || !index || *index >= network_.roads[*road].lane_count) return;
-    change.lane = LaneId{network_.roads[*road].first_lane.value + *index};
+    change.lane = network_.roads[*road].lane(*index);
     changes.push_back(change);
   }
 

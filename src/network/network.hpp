@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -46,6 +47,14 @@ struct Road {
   LaneId first_lane;
   std::uint32_t lane_count = 0;
   Shape shape;  ///< empty when the net leaves it to the junctions and lanes
+
+  /// Counted from the kerb; less than lane_count.
+  [[nodiscard]] LaneId lane(std::uint32_t index) const { return LaneId{first_lane.value + index}; }
+  /// From the kerb.
+  [[nodiscard]] auto lanes() const {
+    return std::views::iota(0U, lane_count) |
+           std::views::transform([first = first_lane.value](std::uint32_t k) { return LaneId{first + k}; });
+  }
 };
 
 /// A lane-to-lane connection, as `state` and `dir` of the net say ('M', 'm', 's', 'o' ..; 's', 'l', 'r', 't'

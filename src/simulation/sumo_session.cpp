@@ -229,8 +229,7 @@ class SumoSession : public Simulation {
     const Road& road = network_.roads[vehicle.road];
     const auto index = parse_integer<std::uint32_t>(std::string_view(name).substr(mark + 1));
     if (!index || *index >= road.lane_count) return false;
-    observations_.push_back(
-        {.road = vehicle.road, .vehicle = vehicle.id, .lane = LaneId{road.first_lane.value + *index}});
+    observations_.push_back({.road = vehicle.road, .vehicle = vehicle.id, .lane = road.lane(*index)});
     return true;
   }
 

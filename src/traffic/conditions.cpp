@@ -38,8 +38,8 @@ bool Conditions::open(LaneId lane, VehicleClass vehicle_class) const {
 
 bool Conditions::closed(RoadId road, VehicleClass vehicle_class) const {
   const Road& own = network_.roads[road];
-  for (std::uint32_t k = 0; k < own.lane_count; ++k) {
-    if (open(LaneId{own.first_lane.value + k}, vehicle_class)) return false;
+  for (const LaneId lane : own.lanes()) {
+    if (open(lane, vehicle_class)) return false;
   }
   return true;
 }
@@ -47,7 +47,7 @@ bool Conditions::closed(RoadId road, VehicleClass vehicle_class) const {
 std::vector<ArcId> Conditions::closed_turns(const RoadGraph& graph) const {
   const VehicleClass own = graph.vehicle_class();
   const auto may_pass = [&](RoadId road, std::uint32_t lane) {
-    return open(LaneId{network_.roads[road].first_lane.value + lane}, own);
+    return open(network_.roads[road].lane(lane), own);
   };
   std::vector<ArcId> touched;
   std::vector<ArcId> passable;
@@ -75,8 +75,7 @@ std::vector<ArcId> Conditions::closed_turns(const RoadGraph& graph) const {
 double Conditions::crossing(RoadId road) const {
   const Road& own = network_.roads[road];
   double speed = 0;
-  for (std::uint32_t k = 0; k < own.lane_count; ++k) {
-    const LaneId lane{own.first_lane.value + k};
+  for (const LaneId lane : own.lanes()) {
     double limit = network_.lanes[lane].speed;
     for (std::size_t i = 0; i < changes_.size(); ++i) {
       if (active_[i] && changes_[i].lane == lane && changes_[i].speed) limit = *changes_[i].speed;

@@ -10,8 +10,7 @@ namespace {
 double usual_headway(const Network& network, const Servers& servers, RoadId road) {
   const Road& own = network.roads[road];
   int lanes = 0;
-  for (std::uint32_t k = 0; k < own.lane_count; ++k)
-    lanes += servers.carries(LaneId{own.first_lane.value + k}) ? 1 : 0;
+  for (const LaneId lane : own.lanes()) lanes += servers.carries(lane) ? 1 : 0;
   return 2.0 / std::max(1, lanes);
 }
 

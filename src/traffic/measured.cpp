@@ -17,9 +17,7 @@ MeasuredTimes::MeasuredTimes(const Network& network, Millis window, Millis inter
   for (std::size_t i = 0; i < network.roads.size(); ++i) {
     const Road& road = network.roads[RoadId{i}];
     double speed = 0;
-    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
-      speed = std::max(speed, network.lanes[LaneId{road.first_lane.value + k}].speed);
-    }
+    for (const LaneId lane : road.lanes()) speed = std::max(speed, network.lanes[lane].speed);
     limit_[RoadId{i}] = static_cast<std::int32_t>(std::lround(std::min(speed, 1e5) * 1000.0));
     length_[RoadId{i}] = std::llround(network.lanes[road.first_lane].length * 1000.0);
   }

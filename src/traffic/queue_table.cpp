@@ -54,8 +54,7 @@ void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharg
   const Road& own = network_.roads[road];
   double rate = 0;
   std::size_t total = 0;
-  for (std::uint32_t k = 0; k < own.lane_count; ++k) {
-    const LaneId lane{own.first_lane.value + k};
+  for (const LaneId lane : own.lanes()) {
     const double headway = servers.means(lane).headway * discharge.factor(lane);
     if (headway > 0 && servers.carries(lane)) rate += 1 / headway;
     total += passed[lane].size();
@@ -68,8 +67,7 @@ void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharg
   std::fill(waits.begin(), waits.end(), total == 0 ? static_cast<float>(delay_[road]) : 0.0F);
   std::fill(tolls.begin(), tolls.end(), 0.0F);
   std::fill(arrivals.begin(), arrivals.end(), 0.0F);
-  for (std::uint32_t k = 0; k < own.lane_count; ++k) {
-    const LaneId lane{own.first_lane.value + k};
+  for (const LaneId lane : own.lanes()) {
     if (passed[lane].empty()) continue;
     const Servers::LaneMeans& means = servers.means(lane);
     tabulate_lane(means.headway * discharge.factor(lane), means.delay, passed[lane]);

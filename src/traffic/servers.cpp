@@ -11,7 +11,7 @@ namespace {
 
 /// The one that it leaves.
 LaneId lane_of(const Network& network, const Connection& c) {
-  return LaneId{network.roads[c.from].first_lane.value + c.from_lane};
+  return network.roads[c.from].lane(c.from_lane);
 }
 
 /// Seconds on the internal lanes from this one on.
@@ -74,13 +74,12 @@ void Servers::measure_roads() {
     const Road& road = network_.roads[RoadId{i}];
     int most = 0;
     double speed = 0;
-    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
-      const Lane& lane = network_.lanes[LaneId{road.first_lane.value + k}];
+    for (const LaneId id : road.lanes()) {
+      const Lane& lane = network_.lanes[id];
       most = std::max(most, openness(lane));
       speed = std::max(speed, lane.speed);
     }
-    for (std::uint32_t k = 0; k < road.lane_count; ++k) {
-      const LaneId lane{road.first_lane.value + k};
+    for (const LaneId lane : road.lanes()) {
       carries_[lane] = openness(network_.lanes[lane]) == most;
     }
     free_flow_[RoadId{i}] = network_.lanes[road.first_lane].length / std::max(0.1, speed);
@@ -227,8 +226,7 @@ void Servers::refresh_road(RoadId road) {
   const Road& own = network_.roads[road];
   double room = 0;
   double in_service = 0;
-  for (std::uint32_t k = 0; k < own.lane_count; ++k) {
-    const LaneId lane{own.first_lane.value + k};
+  for (const LaneId lane : own.lanes()) {
     LaneMeans& means = means_[lane] = {};
     int count = 0;
     for (std::size_t m = first_of(road); m < last_of(road); ++m) {

@@ -82,7 +82,7 @@ TEST(Network, ReadsRoadsAndLanes) {
   EXPECT_EQ(kerb.speed, 13.89);
   ASSERT_EQ(kerb.shape.size(), 2U);
   EXPECT_EQ(kerb.shape[0].y, -2);
-  EXPECT_EQ(net.lanes[LaneId{ab.first_lane.value + 1U}].length, 99.5);
+  EXPECT_EQ(net.lanes[ab.lane(1)].length, 99.5);
   EXPECT_EQ(net.find_road("CB"), std::nullopt);
 }
 

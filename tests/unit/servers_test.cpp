@@ -90,7 +90,7 @@ TEST(Servers, AreTheLanesThatCarsQueueOn) {
   const Servers servers(net);
   const MovementId to_c = servers.find(road(net, "AB"), road(net, "BC"));
   ASSERT_EQ(servers.lanes(to_c).size(), 1U);
-  EXPECT_EQ(servers.lanes(to_c).front(), LaneId{net.roads[road(net, "AB")].first_lane.value + 2});
+  EXPECT_EQ(servers.lanes(to_c).front(), net.roads[road(net, "AB")].lane(2));
   EXPECT_DOUBLE_EQ(servers[to_c].headway, 2) << "no signal of the buses'";
   EXPECT_DOUBLE_EQ(servers[to_c].through, 1) << "not at a walk";
   EXPECT_EQ(servers.end(road(net, "AB")), RoadEnd::major) << "who walks gives way, who drives does not";
