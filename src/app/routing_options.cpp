@@ -33,8 +33,7 @@ std::vector<OptionSpec> routing_options() {
        "and up to this share on top, different for each vehicle"},
       {"routing", "gain.absolute", 0, "TIME", seconds(rule.absolute), "and more than this time"},
       {"routing", "toll", 0, "FLOAT", fmt::format("{}", strategy.toll),
-       "forecast, memory: share of the delay that it causes behind it in queues that a vehicle counts as its "
-       "own"},
+       "forecast, memory: share of the delay that it costs the others that a vehicle counts as its own"},
       {"routing", "stall", 0, "TIME", seconds(control.stall),
        "A run without an end stops when nothing has arrived for so long"},
       threads_option(),

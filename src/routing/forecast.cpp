@@ -18,8 +18,8 @@ struct Manners {
   bool books = false;  ///< who decides sees what those before it in the same round have decided; tolls do not
 };
 
-/// Routes by the times that a queue forecast expects, and by a share of the delay that a vehicle causes to
-/// those behind it: each by its own time alone is Wardrop's equilibrium, with all of that delay it would be
+/// Routes by the times that a queue forecast expects, and by a share of the delay that a vehicle costs
+/// the others: each by its own time alone is Wardrop's equilibrium, with all of that delay it would be
 /// the least for all together (Pigou 1920; Merchant, Nemhauser 1978), were the forecast exact. Nobody is sent
 /// on a way that is expected to be later for itself.
 class ForecastStrategy : public Strategy {

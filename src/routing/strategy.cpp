@@ -36,7 +36,7 @@ std::span<const StrategyEntry> strategies() {
        "reserve table)",
        &make_booking, true},
       {"marginal",
-       "the forecast with a toll of 1: the delay that a vehicle causes behind it counts as its own",
+       "the forecast with a toll of 1: all of the delay that a vehicle costs the others counts as its own",
        &make_marginal, true},
       {"memory", "the forecast with what the days before have taught (the paper's crew)", &make_memory, true},
       {"cch", "the same optimum by a customizable contraction hierarchy: fast on large nets", &make_cch},

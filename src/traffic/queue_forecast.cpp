@@ -25,6 +25,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       passed_(network.lanes.size()),
       occupancy_(network.roads.size()),
       held_up_(network.roads.size()),
+      delayed_(network.roads.size()),
       lines_(network.roads.size()),
       table_(network, options.bin, options.bins, options.tolls) {}
 
@@ -53,6 +54,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   tick_ = 0;
   occupancy_.assign(occupancy_.size(), 0);
   for (auto& lanes : held_up_) lanes.clear();
+  for (auto& times : delayed_) times.clear();
   for (const RoadId road : lined_) lines_[road].clear();
   lined_.clear();
   insertion_.assign(fleet.size(), 0);
@@ -70,7 +72,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
     }
   }
   estimate_later_insertions();
-  table_.tabulate(servers_, discharge_, passed_);
+  table_.tabulate(servers_, discharge_, passed_, delayed_);
 }
 
 void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now) {
@@ -247,8 +249,12 @@ void QueueForecast::leave(const Event& event) {
       push(event.time + options_.blocked_patience, Kind::forces_its_way, lane.value);
     }
     held_up_[next].push_back(lane);
+    queue.held_by = next;
+    queue.held_at = event.time;
     return;
   }
+  if (queue.held_by.valid() && queue.held_by != next && passed.arrived <= queue.held_at)
+    delayed_[queue.held_by].push_back(static_cast<float>(event.time));  // had no wish to get on that road
   queue.blocked_since = -1;
   if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
   mover.vehicle = {};

@@ -75,6 +75,8 @@ class QueueForecast {
     std::size_t head = 0;
     double free_at = long_ago;  ///< s from now: the server is done with the last
     double blocked_since = -1;  ///< s from now; below 0: it is not
+    RoadId held_by{};           ///< the road that the last one who found no room wanted to get on
+    double held_at = long_ago;  ///< s from now: when he looked for it
     bool is_active = false;
   };
   /// Of those who want to get on a road, in the order of their departures.
@@ -154,6 +156,7 @@ class QueueForecast {
   std::vector<LaneId> used_;  ///< queues that are not as new
   IdVector<RoadId, int> occupancy_;
   IdVector<RoadId, std::vector<LaneId>> held_up_;  ///< lanes whose first waits for room on the road
+  IdVector<RoadId, std::vector<float>> delayed_;  ///< s from now: when others who waited behind these went on
   IdVector<RoadId, Line> lines_;
   std::vector<RoadId> lined_;  ///< lines that are not as new
   IdVector<VehicleId, Millis> insertion_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "traffic/queue_table.hpp"
 
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -31,25 +30,26 @@ QueueTable::QueueTable(const Network& network, Millis bin, std::size_t bins, boo
       bins_(bins),
       wait_(network.roads.size() * bins, 0.0F),
       arrivals_(network.roads.size() * bins, 0.0F),
-      toll_(with_tolls ? network.roads.size() * bins : 0, 0.0F),
       headway_(network.roads.size(), 0),
       delay_(network.roads.size(), 0),
       is_empty_(network.roads.size(), true),
-      lane_{.wait = std::vector<float>(bins), .toll = std::vector<float>(bins)} {}
+      lane_wait_(bins) {
+  if (with_tolls) tolls_.emplace(network.roads.size(), bin, bins);
+}
 
 void QueueTable::tabulate(const Servers& servers, const Discharge& discharge,
-                          const IdVector<LaneId, std::vector<Passed>>& passed) {
+                          const IdVector<LaneId, std::vector<Passed>>& passed,
+                          const IdVector<RoadId, std::vector<float>>& delayed) {
   for (std::size_t i = 0; i < network_.roads.size(); ++i) {
     if (network_.roads[RoadId{i}].function == RoadFunction::normal)
-      tabulate_road(servers, discharge, RoadId{i}, passed);
+      tabulate_road(servers, discharge, RoadId{i}, passed, delayed[RoadId{i}]);
   }
 }
 
 void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharge, RoadId road,
-                               const IdVector<LaneId, std::vector<Passed>>& passed) {
+                               const IdVector<LaneId, std::vector<Passed>>& passed,
+                               std::span<const float> delayed) {
   const std::span<float> waits(wait_.data() + at(road, 0), bins_);
-  const std::span<float> tolls =
-      toll_.empty() ? std::span<float>() : std::span(toll_).subspan(at(road, 0), bins_);
   const std::span<float> arrivals(arrivals_.data() + at(road, 0), bins_);
   const Road& own = network_.roads[road];
   double rate = 0;
@@ -65,27 +65,30 @@ void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharg
   is_empty_[road] = total == 0;
   if (total == 0 && was_empty && delay_[road] == before) return;  // most roads of a large net at night
   std::fill(waits.begin(), waits.end(), total == 0 ? static_cast<float>(delay_[road]) : 0.0F);
-  std::fill(tolls.begin(), tolls.end(), 0.0F);
   std::fill(arrivals.begin(), arrivals.end(), 0.0F);
+  if (tolls_) tolls_->clear(road);
   for (const LaneId lane : own.lanes()) {
     if (passed[lane].empty()) continue;
     const Servers::LaneMeans& means = servers.means(lane);
-    tabulate_lane(means.headway * discharge.factor(lane), means.delay, passed[lane]);
+    const double headway = means.headway * discharge.factor(lane);
+    tabulate_lane(headway, means.delay, passed[lane]);
     const float weight = static_cast<float>(passed[lane].size()) / static_cast<float>(total);
-    for (std::size_t b = 0; b < bins_; ++b) waits[b] += weight * lane_.wait[b];
-    for (std::size_t b = 0; b < tolls.size(); ++b) tolls[b] += weight * lane_.toll[b];
+    for (std::size_t b = 0; b < bins_; ++b) waits[b] += weight * lane_wait_[b];
+    if (tolls_)
+      tolls_->add(road, weight,
+                  {.headway = headway, .delay = means.delay, .passed = passed[lane], .wait = lane_wait_});
     for (const Passed& one : passed[lane]) {
       const auto b =
           static_cast<std::size_t>(std::max(0.0F, one.arrived) / static_cast<float>(to_seconds(bin_)));
       if (b < bins_) arrivals[b] += 1;
     }
   }
+  if (tolls_ && !delayed.empty()) tolls_->add_spillback(road, headway_[road], delayed);
 }
 
 void QueueTable::tabulate_lane(double headway, double delay, std::span<const Passed> passed) {
   const double bin = to_seconds(bin_);
   const double horizon = bin * static_cast<double>(bins_);
-  if (!toll_.empty()) count_waiting(headway, delay, passed);
   std::size_t next = 0;
   double last_left = -1e9;
   for (std::size_t b = 0; b < bins_; ++b) {
@@ -97,21 +100,7 @@ void QueueTable::tabulate_lane(double headway, double delay, std::span<const Pas
     }
     double leave = time + delay;
     if (next > 0) leave = std::max(leave, last_left + headway);
-    lane_.wait[b] = static_cast<float>(leave - time);
-    if (toll_.empty()) continue;
-    const bool holds_up =
-        next < passed.size() && leave + headway > static_cast<double>(passed[next].arrived) + delay;
-    lane_.toll[b] = holds_up ? static_cast<float>(headway * std::max(1.0, waiting_[next])) : 0.0F;
-  }
-}
-
-void QueueTable::count_waiting(double headway, double delay, std::span<const Passed> passed) {
-  waiting_.assign(passed.size() + 1, 0);
-  for (std::size_t i = passed.size(); i-- > 0;) {
-    const double alone = static_cast<double>(passed[i].arrived) + delay;
-    if (static_cast<double>(passed[i].left) <= alone + headway / 2) continue;
-    const double behind = i + 1 < passed.size() ? passed[i + 1].arrived - passed[i].arrived : 0;
-    waiting_[i] = 1 + std::exp(-behind / adapting) * waiting_[i + 1];
+    lane_wait_[b] = static_cast<float>(leave - time);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,15 +11,9 @@
 #include "network/network.hpp"
 #include "traffic/discharge.hpp"
 #include "traffic/servers.hpp"
+#include "traffic/toll_table.hpp"
 
 namespace thalweg {
-
-/// One that queued at the end of a lane, in s from the forecast on.
-struct Passed {
-  float arrived;
-  float left;               ///< infinity: still there at the horizon
-  std::uint32_t mover = 0;  ///< who, by the forecast's numbers; nothing to the table
-};
 
 /// What a forecast says of the end of each road, by the time of reaching it: `bins` rows of `bin` from its
 /// moment on. Of the road, the same for all its turns: with waits a turn, vehicles are lured into a free lane
@@ -27,9 +22,11 @@ class QueueTable {
  public:
   QueueTable(const Network& network, Millis bin, std::size_t bins, bool with_tolls = false);
 
-  /// From all that pass the lanes, each lane's in the order of `arrived`, to a tenth of a second.
+  /// From all that pass the lanes, each lane's in the order of `arrived`, to a tenth of a second, and from
+  /// when those went on, in s, that somebody without room on the road had held up (TollTable::add_spillback).
   void tabulate(const Servers& servers, const Discharge& discharge,
-                const IdVector<LaneId, std::vector<Passed>>& passed);
+                const IdVector<LaneId, std::vector<Passed>>& passed,
+                const IdVector<RoadId, std::vector<float>>& delayed);
 
   [[nodiscard]] Millis bin() const { return bin_; }
   [[nodiscard]] std::size_t bins() const { return bins_; }
@@ -47,37 +44,28 @@ class QueueTable {
   }
   /// Vehicles that reach the end in this bin.
   [[nodiscard]] float arrivals(RoadId road, std::size_t bin) const { return arrivals_[at(road, bin)]; }
-  /// s that those behind it wait longer, taken together, because of one that reaches the end in this bin: one
-  /// headway each, until the queue has once been served. Who comes `adapting` later counts 1/e: it can still
-  /// choose another way. Only of a table with tolls.
-  [[nodiscard]] float toll(RoadId road, std::size_t bin) const { return toll_[at(road, bin)]; }
+  /// s that all others arrive later because of one that reaches the end in this bin. Only of a table with
+  /// tolls.
+  [[nodiscard]] float toll(RoadId road, std::size_t bin) const { return tolls_->at(road, bin); }
   /// s between two that leave the road, by whatever lane.
   [[nodiscard]] double headway(RoadId road) const { return headway_[road]; }
 
-  static constexpr double adapting = 300;  ///< s
-
  private:
-  struct LaneRows {
-    std::vector<float> wait;
-    std::vector<float> toll;
-  };
   [[nodiscard]] std::size_t at(RoadId road, std::size_t bin) const { return road.value * bins_ + bin; }
   void tabulate_road(const Servers& servers, const Discharge& discharge, RoadId road,
-                     const IdVector<LaneId, std::vector<Passed>>& passed);
+                     const IdVector<LaneId, std::vector<Passed>>& passed, std::span<const float> delayed);
   void tabulate_lane(double headway, double delay, std::span<const Passed> passed);
-  void count_waiting(double headway, double delay, std::span<const Passed> passed);
 
   const Network& network_;
   Millis bin_;
   std::size_t bins_;
   std::vector<float> wait_;
   std::vector<float> arrivals_;
-  std::vector<float> toll_;  ///< empty: not asked for
+  std::optional<TollTable> tolls_;  ///< none: not asked for
   IdVector<RoadId, double> headway_;
   IdVector<RoadId, double> delay_;   ///< s that the first one waits
   IdVector<RoadId, bool> is_empty_;  ///< its rows are those of a road that nobody reached the end of
-  LaneRows lane_;                    ///< scratch: of one lane
-  std::vector<double> waiting_;      ///< scratch: from each on, how many in a row wait for the one before
+  std::vector<float> lane_wait_;     ///< scratch: of one lane
 };
 
 }  // namespace thalweg
