@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <ranges>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -35,6 +34,27 @@ struct Lane {
   Shape shape;
 };
 
+/// Lanes that are numbered one after the other.
+class LaneRange {
+ public:
+  struct Iterator {
+    LaneId lane;
+    LaneId operator*() const { return lane; }
+    Iterator& operator++() {
+      ++lane.value;
+      return *this;
+    }
+    bool operator==(const Iterator&) const = default;
+  };
+  LaneRange(LaneId first, LaneId end) : first_{first}, end_{end} {}
+  [[nodiscard]] Iterator begin() const { return first_; }
+  [[nodiscard]] Iterator end() const { return end_; }
+
+ private:
+  Iterator first_;
+  Iterator end_;
+};
+
 /// An edge of the net. Lanes are numbered from the kerb, and stand one after the other in Network::lanes.
 struct Road {
   std::string id;
@@ -51,10 +71,7 @@ struct Road {
   /// Counted from the kerb; less than lane_count.
   [[nodiscard]] LaneId lane(std::uint32_t index) const { return LaneId{first_lane.value + index}; }
   /// From the kerb.
-  [[nodiscard]] auto lanes() const {
-    return std::views::iota(0U, lane_count) |
-           std::views::transform([first = first_lane.value](std::uint32_t k) { return LaneId{first + k}; });
-  }
+  [[nodiscard]] LaneRange lanes() const { return {first_lane, lane(lane_count)}; }
 };
 
 /// A lane-to-lane connection, as `state` and `dir` of the net say ('M', 'm', 's', 'o' ..; 's', 'l', 'r', 't'

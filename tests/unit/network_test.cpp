@@ -83,6 +83,9 @@ TEST(Network, ReadsRoadsAndLanes) {
   ASSERT_EQ(kerb.shape.size(), 2U);
   EXPECT_EQ(kerb.shape[0].y, -2);
   EXPECT_EQ(net.lanes[ab.lane(1)].length, 99.5);
+  std::vector<LaneId> lanes;
+  for (const LaneId lane : ab.lanes()) lanes.push_back(lane);
+  EXPECT_EQ(lanes, (std::vector<LaneId>{ab.first_lane, ab.lane(1)}));
   EXPECT_EQ(net.find_road("CB"), std::nullopt);
 }
 

@@ -15,7 +15,7 @@ constexpr Millis bin = 20'000;
 
 /// A lane that lets one pass in `headway` s, first come, first served.
 struct Lane {
-  Lane(double between, std::vector<float> arrivals) : headway(between) {
+  Lane(double between, const std::vector<float>& arrivals) : headway(between) {
     for (const float time : arrivals) {
       const double left = std::max(static_cast<double>(time), last + headway);
       passed.push_back({.arrived = time, .left = static_cast<float>(left)});
