@@ -105,7 +105,8 @@ class Strategy {
 
 struct StrategyOptions {
   ChoiceRule rule{};
-  /// Share of the delay that it costs the others (TollTable) that a vehicle counts as its own: `forecast`, `memory`.
+  /// Share of the delay that it costs the others (TollTable) that a vehicle counts as its own: `forecast`,
+  /// `memory`.
   double toll = 0.4;
   std::size_t threads = 1;
   OrderCache order_cache{};        ///< of the hierarchy; nowhere by default
