@@ -33,7 +33,8 @@ QueueTable::QueueTable(const Network& network, Millis bin, std::size_t bins, boo
       headway_(network.roads.size(), 0),
       delay_(network.roads.size(), 0),
       is_empty_(network.roads.size(), true),
-      lane_wait_(bins) {
+      lane_wait_(bins),
+      count_(bins) {
   if (with_tolls) tolls_.emplace(network.roads.size(), bin, bins);
 }
 
@@ -73,22 +74,32 @@ void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharg
     const double headway = means.headway * discharge.factor(lane);
     tabulate_lane(headway, means.delay, passed[lane]);
     const float weight = static_cast<float>(passed[lane].size()) / static_cast<float>(total);
-    for (std::size_t b = 0; b < bins_; ++b) waits[b] += weight * lane_wait_[b];
+    for (std::size_t b = 0; b < bins_; ++b) {
+      waits[b] += weight * lane_wait_[b];
+      arrivals[b] += count_[b];
+    }
     if (tolls_)
       tolls_->add(road, weight,
-                  {.headway = headway, .delay = means.delay, .passed = passed[lane], .wait = lane_wait_});
-    for (const Passed& one : passed[lane]) {
-      const auto b =
-          static_cast<std::size_t>(std::max(0.0F, one.arrived) / static_cast<float>(to_seconds(bin_)));
-      if (b < bins_) arrivals[b] += 1;
-    }
+                  {.headway = headway,
+                   .delay = means.delay,
+                   .passed = passed[lane],
+                   .arrivals = count_,
+                   .wait = lane_wait_});
   }
-  if (tolls_ && !delayed.empty()) tolls_->add_spillback(road, headway_[road], delayed);
+  if (tolls_ && !delayed.empty()) add_spillback(road, delayed);
+}
+
+void QueueTable::add_spillback(RoadId road, std::span<const float> delayed) {
+  std::fill(count_.begin(), count_.end(), 0.0F);
+  for (const float time : delayed) count_[bin_at(static_cast<double>(time))] += 1;
+  tolls_->add_spillback(road, headway_[road], count_);
 }
 
 void QueueTable::tabulate_lane(double headway, double delay, std::span<const Passed> passed) {
   const double bin = to_seconds(bin_);
   const double horizon = bin * static_cast<double>(bins_);
+  std::fill(count_.begin(), count_.end(), 0.0F);
+  for (const Passed& one : passed) count_[bin_at(static_cast<double>(one.arrived))] += 1;
   std::size_t next = 0;
   double last_left = -1e9;
   for (std::size_t b = 0; b < bins_; ++b) {

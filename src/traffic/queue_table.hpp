@@ -55,6 +55,7 @@ class QueueTable {
   void tabulate_road(const Servers& servers, const Discharge& discharge, RoadId road,
                      const IdVector<LaneId, std::vector<Passed>>& passed, std::span<const float> delayed);
   void tabulate_lane(double headway, double delay, std::span<const Passed> passed);
+  void add_spillback(RoadId road, std::span<const float> delayed);
 
   const Network& network_;
   Millis bin_;
@@ -66,6 +67,7 @@ class QueueTable {
   IdVector<RoadId, double> delay_;   ///< s that the first one waits
   IdVector<RoadId, bool> is_empty_;  ///< its rows are those of a road that nobody reached the end of
   std::vector<float> lane_wait_;     ///< scratch: of one lane
+  std::vector<float> count_;         ///< scratch: in each bin
 };
 
 }  // namespace thalweg

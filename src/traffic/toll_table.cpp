@@ -7,6 +7,7 @@
 namespace thalweg {
 namespace {
 
+constexpr double adapting = 300;     ///< s after which a later one counts 1/e
 constexpr double flow_period = 300;  ///< s that a flow is looked at, and that it lasts
 
 /// Of the overflow delay: vehicles come out of other signals, and less at random than the formula has it (as
@@ -28,7 +29,7 @@ void TollTable::clear(RoadId road) {
 
 void TollTable::add(RoadId road, float weight, const LaneQueue& lane) {
   count_waiting(lane);
-  count_arrivals(lane);
+  sum_arrivals(lane);
   std::size_t next = 0;
   for (std::size_t b = 0; b < bins_; ++b) {
     const double time = (static_cast<double>(b) + 0.5) * bin_;
@@ -40,11 +41,9 @@ void TollTable::add(RoadId road, float weight, const LaneQueue& lane) {
 }
 
 void TollTable::add_spillback(RoadId road, double headway, std::span<const float> delayed) {
-  delayed_.assign(bins_, 0);
-  for (const float time : delayed) delayed_[bin_of(time)] += 1;
   double sum = 0;
   for (std::size_t b = bins_; b-- > 0;) {
-    sum = sum * std::exp(-bin_ / adapting) + delayed_[b];
+    sum = sum * std::exp(-bin_ / adapting) + static_cast<double>(delayed[b]);
     toll_[road.value * bins_ + b] += static_cast<float>(headways_held_up * headway * sum);
   }
 }
@@ -60,10 +59,10 @@ void TollTable::count_waiting(const LaneQueue& lane) {
   }
 }
 
-void TollTable::count_arrivals(const LaneQueue& lane) {
+void TollTable::sum_arrivals(const LaneQueue& lane) {
   arrivals_.assign(bins_ + 1, 0);
-  for (const Passed& one : lane.passed) arrivals_[bin_of(one.arrived) + 1] += 1;
-  for (std::size_t b = 0; b < bins_; ++b) arrivals_[b + 1] += arrivals_[b];
+  for (std::size_t b = 0; b < bins_; ++b)
+    arrivals_[b + 1] = arrivals_[b] + static_cast<double>(lane.arrivals[b]);
 }
 
 /// `next`: the first that comes later; `leaves`: s, when one that comes in between does.
@@ -84,10 +83,6 @@ double TollTable::of_overflow(double headway, std::size_t bin) const {
   const double scatter = headway / flow_period;
   const double root = std::sqrt((x - 1) * (x - 1) + 4 * x * scatter);
   return filtered * x * flow_period / 4 * (1 + (x - 1 + 2 * scatter) / root);
-}
-
-std::size_t TollTable::bin_of(float time) const {
-  return std::min(bins_ - 1, static_cast<std::size_t>(std::max(0.0, static_cast<double>(time)) / bin_));
 }
 
 }  // namespace thalweg

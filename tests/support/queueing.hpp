@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "support/ascii_network.hpp"
 #include "traffic/discharge.hpp"
 #include "traffic/fleet.hpp"
@@ -53,16 +56,24 @@ struct Driven {
   Fleet fleet;
 };
 
-/// `count` vehicles at the end of AB, bound for D.
-inline Driven crowded(const Network& network, std::size_t count) {
-  Driven driven(network, count);
+/// A vehicle a way, given by its junctions, at the end of its first road.
+inline Driven queued(const Network& network, const std::vector<std::string>& ways) {
+  Driven driven(network, ways.size());
+  std::vector<std::string> roads;
+  roads.reserve(ways.size());
+  for (const std::string& junctions : ways) roads.push_back(junctions.substr(0, 2));
   std::vector<Driven::At> places;
-  for (std::size_t i = 0; i < count; ++i) {
-    driven.load(i, "ABCD");
-    places.push_back({.vehicle = i, .road = "AB", .metres = 299});
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    driven.load(i, ways[i]);
+    places.push_back({.vehicle = i, .road = roads[i].c_str(), .metres = 299});
   }
   driven.look(places);
   return driven;
+}
+
+/// `count` vehicles at the end of AB, bound for D.
+inline Driven crowded(const Network& network, std::size_t count) {
+  return queued(network, std::vector<std::string>(count, "ABCD"));
 }
 
 /// Three minutes in which ten vehicles drive on this road at 3 m/s.

@@ -90,16 +90,18 @@ TEST_F(Queues, AFullRoadHoldsThoseBehindIt) {
 }
 
 //     A ----> M -> N --> O      MN is 15 m long: two find room on it, and its end lets one pass in 5 s. Who
-//             ^                 comes from B gives way to those from A.
-//             B
+//            ^ |                comes from B gives way to those from A. The way to X is free, but AM has one
+//            B X                lane only.
 constexpr const char* merge = R"(<net>
   <edge id="AM" from="A" to="M"><lane id="AM_0" index="0" length="300" speed="10"/></edge>
   <edge id="BM" from="B" to="M"><lane id="BM_0" index="0" length="300" speed="10"/></edge>
   <edge id="MN" from="M" to="N"><lane id="MN_0" index="0" length="15" speed="10"/></edge>
+  <edge id="MX" from="M" to="X"><lane id="MX_0" index="0" length="300" speed="10"/></edge>
   <edge id="NO" from="N" to="O"><lane id="NO_0" index="0" length="300" speed="10"/></edge>
   <junction id="A" x="0" y="0"/><junction id="B" x="0" y="0"/><junction id="M" x="0" y="0"/>
-  <junction id="N" x="0" y="0"/><junction id="O" x="0" y="0"/>
+  <junction id="N" x="0" y="0"/><junction id="O" x="0" y="0"/><junction id="X" x="0" y="0"/>
   <connection from="AM" to="MN" fromLane="0" toLane="0" dir="s" state="M"/>
+  <connection from="AM" to="MX" fromLane="0" toLane="0" dir="r" state="M"/>
   <connection from="BM" to="MN" fromLane="0" toLane="0" dir="s" state="m"/>
   <connection from="MN" to="NO" fromLane="0" toLane="0" dir="s" state="s"/>
 </net>)";
@@ -109,13 +111,9 @@ constexpr const char* merge = R"(<net>
 TEST_F(Queues, WhoHasTheRightOfWayGetsTheNextPlace) {
   const Network junction = parse_network(merge);
   const Servers lanes(junction);
-  Driven driven(junction, 20);
-  std::vector<Driven::At> places;
-  for (std::size_t i = 0; i < 20; ++i) {
-    driven.load(i, i < 10 ? "AMNO" : "BMNO");
-    places.push_back({.vehicle = i, .road = i < 10 ? "AM" : "BM", .metres = 299});
-  }
-  driven.look(places);
+  std::vector<std::string> ways(10, "AMNO");
+  ways.resize(20, "BMNO");
+  const Driven driven = queued(junction, ways);
   const Discharge discharge(junction, lanes, driven.demand);
   QueueForecast forecast(junction, lanes, discharge, nobody_assumed);
   forecast.run(driven.fleet, Level(junction), 0);
@@ -125,40 +123,20 @@ TEST_F(Queues, WhoHasTheRightOfWayGetsTheNextPlace) {
   EXPECT_NEAR(leaves(19) - leaves(13), 6 * 5, 1);
 }
 
-//     A ----> M -> N --> O      as above, without B: MN is full, and who wants to turn to X waits behind
-//     those
-//             |                 who want to get on it, on one lane.
-//             X
-constexpr const char* fork = R"(<net>
-  <edge id="AM" from="A" to="M"><lane id="AM_0" index="0" length="300" speed="10"/></edge>
-  <edge id="MX" from="M" to="X"><lane id="MX_0" index="0" length="300" speed="10"/></edge>
-  <edge id="MN" from="M" to="N"><lane id="MN_0" index="0" length="15" speed="10"/></edge>
-  <edge id="NO" from="N" to="O"><lane id="NO_0" index="0" length="300" speed="10"/></edge>
-  <junction id="A" x="0" y="0"/><junction id="X" x="0" y="0"/><junction id="M" x="0" y="0"/>
-  <junction id="N" x="0" y="0"/><junction id="O" x="0" y="0"/>
-  <connection from="AM" to="MN" fromLane="0" toLane="0" dir="s" state="M"/>
-  <connection from="AM" to="MX" fromLane="0" toLane="0" dir="r" state="M"/>
-  <connection from="MN" to="NO" fromLane="0" toLane="0" dir="s" state="s"/>
-</net>)";
-
-// Of twenty on AM every other one wants to turn, or nobody.
+// Of twenty on AM every other one turns to X, or nobody.
 TEST_F(Queues, AFullRoadOwesThoseWhoWaitBehindItsOwn) {
-  const Network junction = parse_network(fork);
+  const Network junction = parse_network(merge);
   const Servers lanes(junction);
-  const auto toll = [&](bool some_turn) {
-    Driven driven(junction, 20);
-    std::vector<Driven::At> places;
-    for (std::size_t i = 0; i < 20; ++i) {
-      driven.load(i, some_turn && i % 2 == 1 ? "AMX" : "AMNO");
-      places.push_back({.vehicle = i, .road = "AM", .metres = 299});
-    }
-    driven.look(places);
+  const auto toll = [&](const char* every_other) {
+    std::vector<std::string> ways(20, "AMNO");
+    for (std::size_t i = 1; i < ways.size(); i += 2) ways[i] = every_other;
+    const Driven driven = queued(junction, ways);
     const Discharge discharge(junction, lanes, driven.demand);
     QueueForecast forecast(junction, lanes, discharge, {.repeated = 0, .tolls = true});
     forecast.run(driven.fleet, Level(junction), 0);
     return forecast.table().toll(road(junction, "MN"), 0);
   };
-  EXPECT_GT(toll(true), toll(false) + 20);
+  EXPECT_GT(toll("AMX"), toll("AMNO") + 20);
 }
 
 // A vehicle every 10 s for 600 s: as many are assumed for the next 600 s, and none when that is switched off.

@@ -22,6 +22,7 @@ struct Lane {
       last = left;
     }
     for (std::size_t b = 0; b < bins; ++b) wait.push_back(static_cast<float>(wait_at(middle(b))));
+    for (const float time : arrivals) count[static_cast<std::size_t>(time / 20)] += 1;
   }
   static double middle(std::size_t b) { return (static_cast<double>(b) + 0.5) * 20; }
   /// s until one leaves that comes then, those of the same moment before it.
@@ -34,7 +35,8 @@ struct Lane {
   }
   [[nodiscard]] TollTable tolls() const {
     TollTable table(1, bin, bins);
-    table.add(RoadId{0U}, 1, {.headway = headway, .delay = 0, .passed = passed, .wait = wait});
+    table.add(RoadId{0U}, 1,
+              {.headway = headway, .delay = 0, .passed = passed, .arrivals = count, .wait = wait});
     return table;
   }
   /// s that all wait, taken together.
@@ -47,6 +49,7 @@ struct Lane {
   double headway;
   double last = -1e9;
   std::vector<Passed> passed;
+  std::vector<float> count = std::vector<float>(bins, 0.0F);
   std::vector<float> wait;
 };
 
@@ -103,10 +106,13 @@ TEST(TollTableTest, AFlowBelowCapacityCostsWhatItsOverflowDelayGrowsBy) {
   EXPECT_GT(before, 5);
 }
 
-// Two at 10 s and one at 310 s, each of them three headways of 2 s; those of 300 s later count 1/e.
+// Two in the first 20 s and one 300 s later, each of them three headways of 2 s; the later one counts 1/e.
 TEST(TollTableTest, WhoIsHeldUpBehindThoseOfAFullRoadCounts) {
   TollTable table(2, bin, bins);
-  table.add_spillback(RoadId{1U}, 2, std::vector<float>{310, 10, 10});
+  std::vector<float> delayed(bins, 0.0F);
+  delayed[0] = 2;
+  delayed[15] = 1;
+  table.add_spillback(RoadId{1U}, 2, delayed);
   EXPECT_NEAR(table.at(RoadId{1U}, 0), 6 * (2 + std::exp(-1)), 0.01);
   EXPECT_NEAR(table.at(RoadId{1U}, 15), 6, 0.01);
   EXPECT_EQ(table.at(RoadId{1U}, 16), 0);
