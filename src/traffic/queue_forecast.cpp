@@ -66,6 +66,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   for (tick_ = 0; tick_ < ticks_.size(); ++tick_) {
     for (std::uint32_t i = ticks_[tick_].first; i != none;) {
       const Event event = events_[i];
+      prefetch_after(event);
       handle(event);
       const std::uint32_t done = std::exchange(i, events_[i].next);
       events_[done].next = std::exchange(free_, done);
@@ -152,6 +153,23 @@ void QueueForecast::push(double time, Kind kind, std::uint32_t subject) {
   events_[event] = {.time = time, .subject = subject, .next = none, .kind = kind};
   (tick.first == none ? tick.first : events_[tick.last].next) = event;
   tick.last = event;
+}
+
+void QueueForecast::prefetch_after(const Event& event) const {
+  if (event.next == none) return;
+  const Event& next = events_[event.next];
+  if (next.kind == Kind::reaches_end) __builtin_prefetch(movers_[next.subject].road);
+  if (next.kind == Kind::leaves) {
+    const LaneId lane{next.subject};
+    __builtin_prefetch(passed_[lane].data() + queues_[lane].head);
+  }
+  if (next.next == none) return;
+  const Event& second = events_[next.next];
+  if (second.kind == Kind::reaches_end) __builtin_prefetch(&movers_[second.subject]);
+  if (second.kind == Kind::leaves) {
+    __builtin_prefetch(&queues_[LaneId{second.subject}]);
+    __builtin_prefetch(&passed_[LaneId{second.subject}]);
+  }
 }
 
 void QueueForecast::handle(const Event& event) {

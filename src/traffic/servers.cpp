@@ -126,6 +126,7 @@ void Servers::make_movements() {
       movement.headway = saturation;
     }
     movements_.push_back(movement);
+    onto_.push_back(movement.to);
     ++first_[roads.first.value + 1];
     lanes_.insert(lanes_.end(), way.lanes.begin(), way.lanes.end());
     lane_first_.push_back(static_cast<std::uint32_t>(lanes_.size()));
@@ -187,7 +188,7 @@ std::optional<double> Servers::coordinated(SignalId signal, const SignalProgramm
 
 MovementId Servers::find(RoadId from, RoadId to) const {
   for (std::size_t i = first_of(from); i < last_of(from); ++i) {
-    if (movements_[MovementId{i}].to == to) return MovementId{i};
+    if (onto_[i] == to) return MovementId{i};
   }
   return {};
 }

@@ -91,6 +91,7 @@ class Servers {
   const Network& network_;
   ServerOptions options_;
   IdVector<MovementId, Movement> movements_;
+  std::vector<RoadId> onto_;          ///< of each movement: side by side, since every forecast looks for many
   std::vector<std::uint32_t> first_;  ///< by road
   std::vector<std::uint32_t> lane_first_;
   std::vector<LaneId> lanes_;
