@@ -52,7 +52,11 @@ class MemoryStrategy : public Strategy {
     if (!lived_) begin_day(state);
     lived_->look(state.observations, state.now);
     for (const VehicleId vehicle : state.fleet.present()) {
-      trips_[vehicle].route = state.fleet[vehicle].route;
+      const FleetVehicle& seen = state.fleet[vehicle];
+      // Where it is turned to on its way is left to the next day. With the routes as driven in the end, which
+      // today's jams have shaped, twin heavy takes 3 % longer.
+      if (seen.state == FleetVehicle::State::waiting || trips_[vehicle].route.empty())
+        trips_[vehicle].route = seen.route;
       last_seen_[vehicle] = state.now;
     }
     forecast_->watch(state);

@@ -18,15 +18,15 @@ struct RememberedTime {
   std::size_t days = 0;     ///< on which somebody drove there at that time
 };
 
-/// Who drove where, on the day whose ways are kept.
+/// Who set out where, on the day whose ways are kept.
 struct RememberedTrip {
   std::string vehicle;
   Millis depart = 0;            ///< as demanded
-  std::vector<RoadId> route{};  ///< as driven
+  std::vector<RoadId> route{};  ///< on which it set out
 };
 
 /// What a crew remembers of the days before and shares at once (the paper's memory): the time that was lived
-/// on each road at each time of day, and who drove where.
+/// on each road at each time of day, and who set out where.
 ///
 /// Days are smoothed by successive averages: the n-th day on which a road was driven moves its time by 1/n of
 /// the difference (Robbins, Monro 1951; Sheffi, Powell 1982), later by a constant, since the city changes.

@@ -10,8 +10,8 @@ namespace thalweg {
 
 /// A memory as two files in a folder, in SUMO's own forms, so that its tools read them: `times.xml.gz`, a
 /// weight file (`<interval><edge id traveltime/>`, for duarouter's --weight-files), with observations and
-/// days as further attributes; and `routes.rou.xml.gz`, the vehicles of the last day with the routes they
-/// drove.
+/// days as further attributes; and `routes.rou.xml.gz`, the vehicles of the day whose ways are kept, with
+/// the routes on which they set out.
 void write_memory(const std::filesystem::path& folder, const Network& network, const Memory& memory,
                   std::string_view header);
 
