@@ -19,8 +19,8 @@ void Bookings::clear() {
 
 void Bookings::book(RoadId road, double time, double count) {
   const std::size_t bins = forecast_.bins();
-  const auto bin = static_cast<std::size_t>(std::max(0.0, time) / to_seconds(forecast_.bin()));
-  if (bin >= bins) return;
+  if (time >= forecast_.horizon()) return;
+  const std::size_t bin = forecast_.bin_at(time);
   if (row_[road] == none) {
     row_[road] = booked_.size();
     booked_.push_back(road);

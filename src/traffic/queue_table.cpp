@@ -97,7 +97,6 @@ void QueueTable::add_spillback(RoadId road, std::span<const float> delayed) {
 
 void QueueTable::tabulate_lane(double headway, double delay, std::span<const Passed> passed) {
   const double bin = to_seconds(bin_);
-  const double horizon = bin * static_cast<double>(bins_);
   std::fill(count_.begin(), count_.end(), 0.0F);
   for (const Passed& one : passed) count_[bin_at(static_cast<double>(one.arrived))] += 1;
   std::size_t next = 0;
@@ -107,7 +106,7 @@ void QueueTable::tabulate_lane(double headway, double delay, std::span<const Pas
     for (; next < passed.size() && passed[next].arrived <= time; ++next) {
       const double left = static_cast<double>(passed[next].left);
       // Who is still there at the horizon leaves after the one before, and not before the horizon.
-      last_left = left <= horizon ? left : std::max(last_left + headway, horizon);
+      last_left = left <= horizon() ? left : std::max(last_left + headway, horizon());
     }
     double leave = time + delay;
     if (next > 0) leave = std::max(leave, last_left + headway);

@@ -30,6 +30,7 @@ class QueueTable {
 
   [[nodiscard]] Millis bin() const { return bin_; }
   [[nodiscard]] std::size_t bins() const { return bins_; }
+  [[nodiscard]] double horizon() const { return to_seconds(bin_) * static_cast<double>(bins_); }  ///< s
   /// s until one leaves that reaches the end in this bin; by now means the middle of the bin.
   [[nodiscard]] float wait(RoadId road, std::size_t bin) const { return wait_[at(road, bin)]; }
   /// The same for one that enters an empty road now and takes so many s to its end.
