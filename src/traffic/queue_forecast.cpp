@@ -225,12 +225,12 @@ void QueueForecast::estimate_later_insertions() {
 void QueueForecast::reach_end(const Event& event) {
   Mover& mover = movers_[event.subject];
   const RoadId road = *mover.road;
-  mover.movement = mover.road == mover.last ? MovementId{} : servers_.find(road, mover.road[1]);
-  if (!mover.movement.valid()) {  // arrived, or its route is not what SUMO drives
+  const MovementId movement = mover.road == mover.last ? MovementId{} : servers_.find(road, mover.road[1]);
+  if (!movement.valid()) {  // arrived, or its route is not what SUMO drives
     if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
     return give_up_place(road, event.time);
   }
-  const auto lanes = servers_.lanes(mover.movement);
+  const auto lanes = servers_.lanes(movement);
   LaneId shortest = lanes.front();
   const auto length = [&](LaneId lane) { return passed_[lane].size() - queues_[lane].head; };
   for (const LaneId lane : lanes) {
@@ -242,14 +242,17 @@ void QueueForecast::reach_end(const Event& event) {
   mover.preferred = {};
   std::vector<Passed>& passed = passed_[shortest];
   if (passed.empty()) used_.push_back(shortest);
-  passed.push_back({.arrived = static_cast<float>(event.time), .left = still_there, .mover = event.subject});
+  passed.push_back({.arrived = static_cast<float>(event.time),
+                    .left = still_there,
+                    .mover = event.subject,
+                    .movement = movement});
   if (!queues_[shortest].is_active) schedule_head(shortest);
 }
 
 void QueueForecast::schedule_head(LaneId lane) {
   Queue& queue = queues_[lane];
   const Passed& first = passed_[lane][queue.head];
-  const double ready = first.arrived + servers_[movers_[first.mover].movement].delay;
+  const double ready = first.arrived + servers_[first.movement].delay;
   push(std::max(ready, queue.free_at), Kind::leaves, lane.value);
   queue.is_active = true;
 }
@@ -259,7 +262,7 @@ void QueueForecast::leave(const Event& event) {
   Queue& queue = queues_[lane];
   Passed& passed = passed_[lane][queue.head];
   Mover& mover = movers_[passed.mover];
-  const Movement& movement = servers_[mover.movement];
+  const Movement& movement = servers_[passed.movement];
   const RoadId next = movement.to;
   if (!has_room(next) && !is_out_of_patience(queue, event.time)) {  // the queue ahead has come back to here
     if (queue.blocked_since < 0) {

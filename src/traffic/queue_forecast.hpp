@@ -65,7 +65,6 @@ class QueueForecast {
   struct Mover {
     const RoadId* road;  ///< of its route
     const RoadId* last;  ///< the route's last road
-    MovementId movement{};
     LaneId preferred{};
     VehicleId vehicle{};  ///< a real one, until it is inserted or leaves the road it was on
   };
@@ -126,7 +125,7 @@ class QueueForecast {
   void force_its_way(const Event& event);
   [[nodiscard]] bool has_room(RoadId road) const { return occupancy_[road] < servers_.storage(road); }
   [[nodiscard]] const Movement& movement_of_first(LaneId lane) const {
-    return servers_[movers_[passed_[lane][queues_[lane].head].mover].movement];
+    return servers_[passed_[lane][queues_[lane].head].movement];
   }
   [[nodiscard]] bool is_out_of_patience(const Queue& queue, double time) const {
     return queue.blocked_since >= 0 && time >= queue.blocked_since + options_.blocked_patience;

@@ -14,7 +14,8 @@ namespace thalweg {
 struct Passed {
   float arrived;
   float left;               ///< infinity: still there at the horizon
-  std::uint32_t mover = 0;  ///< who, by the forecast's numbers; nothing to the tables
+  std::uint32_t mover = 0;  ///< who, by the forecast's numbers; nothing to the tables, as what follows
+  MovementId movement{};    ///< which it wants
 };
 
 /// What a forecast says of one lane's end.
