@@ -114,7 +114,7 @@ class QueueForecast {
   void add(const Mover& mover, double time, Kind kind);
   [[nodiscard]] double crossing(RoadId road) const { return pace_ * servers_.free_flow(road); }
   /// Has the memory fetch what the next two events of the tick will need: vehicles that are there at the same
-  /// time are nowhere near each other in it (a twentieth of the router's time on luxembourg).
+  /// time are nowhere near each other in it (3 % of the router's time on luxembourg).
   void prefetch_after(const Event& event) const;
   void handle(const Event& event);
   void depart(const Event& event);
