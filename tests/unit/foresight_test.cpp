@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/queueing.hpp"
+#include "support/watched.hpp"
 
 namespace thalweg::testing {
 namespace {
@@ -11,36 +11,22 @@ namespace {
 //     A-B-C-D      300 m roads at 10 m/s: 30 s; a lane lets one pass in 2 s
 class ForesightTest : public ::testing::Test {
  protected:
-  /// A look at the traffic, `now` after the begin.
   void look(const std::vector<Driven::At>& places, Millis now) {
-    driven.look(places);
-    const TrafficState state{.now = now,
-                             .network = net,
-                             .demand = driven.demand,
-                             .fleet = driven.fleet,
-                             .measured = measured,
-                             .observations = {},
-                             .conditions = conditions,
-                             .programmes = programmes,
-                             .changed_signals = {}};
+    const TrafficState state = traffic.look(places, now);
     if (!foresight) foresight.emplace(state);
     foresight->watch(state);
   }
 
-  Network net = ascii_network("A---B---C---D");
-  Driven driven{net, 3};
-  MeasuredTimes measured{net, 180'000, 3'000};
-  Conditions conditions{net};
-  IdVector<SignalId, SignalProgramme> programmes;
+  Watched traffic{ascii_network("A---B---C---D"), 3};
   std::optional<Foresight> foresight;
 };
 
 TEST_F(ForesightTest, SaysWhenAVehicleLeavesTheRoadItIsOn) {
-  for (std::size_t i = 0; i < 2; ++i) driven.load(i, "ABCD");
+  for (std::size_t i = 0; i < 2; ++i) traffic.driven.load(i, "ABCD");
   look({{.vehicle = 0, .road = "AB", .metres = 300}, {.vehicle = 1, .road = "AB", .metres = 200}}, 0);
   const auto second = foresight->leaving(VehicleId{1U});
   ASSERT_TRUE(second);
-  EXPECT_EQ(second->road, road(net, "AB"));
+  EXPECT_EQ(second->road, road(traffic.network, "AB"));
   EXPECT_EQ(second->at, 10'000);
   EXPECT_FALSE(foresight->leaving(VehicleId{2U})) << "it is not there";
 }
@@ -48,7 +34,7 @@ TEST_F(ForesightTest, SaysWhenAVehicleLeavesTheRoadItIsOn) {
 // The forecast is made every 15 s. Who has left the road earlier than foretold is not on it any more; who is
 // still there though it should have left leaves now.
 TEST_F(ForesightTest, SaysNothingOfARoadThatIsBehind) {
-  for (std::size_t i = 0; i < 2; ++i) driven.load(i, "ABCD");
+  for (std::size_t i = 0; i < 2; ++i) traffic.driven.load(i, "ABCD");
   look({{.vehicle = 0, .road = "AB", .metres = 200}, {.vehicle = 1, .road = "AB", .metres = 270}}, 0);
   look({{.vehicle = 0, .road = "BC", .metres = 5}, {.vehicle = 1, .road = "AB", .metres = 300}}, 12'000);
   EXPECT_EQ(foresight->forecast_at(), 0) << "no new forecast yet";
