@@ -15,6 +15,7 @@ Foresight::Foresight(const TrafficState& first, const Memory* memory, const Fore
       forecast_(first.network, servers_, discharge_, options),
       level_(first.network),
       residuals_(first.network),
+      last_roads_(first.demand.vehicles.size()),
       bookings_(first.network, forecast_.table()),
       hindsight_(first.demand.vehicles.size()) {
   if (memory == nullptr) return;
@@ -33,6 +34,7 @@ bool Foresight::watch(const TrafficState& state) {
   discharge_.observe(state.fleet, state.now);
   forecast_.observe(state.fleet, state.now);
   hindsight_.observe(state.fleet, state.now);
+  last_roads_.observe(state.fleet, expected(), state.now);
   if (!is_round_due(state.now)) return false;
   conditions_version_ = state.conditions.version();
   const bool is_in_turn = state.now >= next_round_ && state.now < next_round_ + round;
@@ -45,8 +47,16 @@ bool Foresight::watch(const TrafficState& state) {
   return true;
 }
 
-Millis Foresight::insertion(VehicleId vehicle, Millis wanted) const {
-  return std::max(wanted, forecast_.insertion(vehicle) - (now_ - forecast_at_));
+Millis Foresight::insertion(VehicleId vehicle, Millis wanted, RoadId first, RoadId second) const {
+  const FleetVehicle& own = fleet_[vehicle];
+  const Millis since_forecast = now_ - forecast_at_;
+  const Millis as_it_is = std::max(wanted, forecast_.insertion(vehicle) - since_forecast);
+  const MovementId turn = servers_.find(first, second);
+  if (!turn.valid() || (own.route.size() > 1 && own.route[1] == second)) return as_it_is;
+  const auto seen = discharge_.insertions().wait(turn);
+  if (!seen) return as_it_is;
+  return std::max({wanted, own.depart + from_seconds(*seen) - now_,
+                   forecast_.insertion(turn, own.depart - forecast_at_) - since_forecast});
 }
 
 std::optional<Foresight::Leaving> Foresight::leaving(VehicleId vehicle) const {

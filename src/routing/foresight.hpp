@@ -7,6 +7,7 @@
 #include "routing/strategy.hpp"
 #include "traffic/bookings.hpp"
 #include "traffic/discharge.hpp"
+#include "traffic/last_roads.hpp"
 #include "traffic/level.hpp"
 #include "traffic/queue_forecast.hpp"
 #include "traffic/residuals.hpp"
@@ -47,8 +48,13 @@ class Foresight {
   [[nodiscard]] Millis driven(Millis free_flow) const {
     return static_cast<Millis>(level_.pace() * static_cast<double>(free_flow));
   }
-  /// From now until a vehicle that has not departed gets on its first road; it wants to in `wanted`.
-  [[nodiscard]] Millis insertion(VehicleId vehicle, Millis wanted) const;
+  /// Share of a road's delay that those meet who end their trip there.
+  [[nodiscard]] double share_of_last_delay() const { return last_roads_.share(); }
+  /// From now until a vehicle that has not departed, and wants to in `wanted`, gets on the first of these
+  /// roads, were they the first two of its route. For another turn than its own it counts only what was seen
+  /// of those who made it: whether they pass the others depends on lanes, and on where the demand wants
+  /// vehicles inserted.
+  [[nodiscard]] Millis insertion(VehicleId vehicle, Millis wanted, RoadId first, RoadId second) const;
   struct Leaving {
     RoadId road;
     Millis at;  ///< not before now
@@ -71,6 +77,7 @@ class Foresight {
   QueueForecast forecast_;
   Level level_;
   Residuals residuals_;
+  LastRoads last_roads_;
   Bookings bookings_;
   Hindsight hindsight_;
   Millis now_ = 0;
