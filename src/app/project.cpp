@@ -174,10 +174,19 @@ std::vector<OptionSpec> project_options() {
   return specs;
 }
 
-void warn_of_outputs(const Settings& settings, std::span<const ArmSpec> arms) {
+void warn_of_settings(const Settings& settings, std::span<const ArmSpec> arms) {
+  constexpr std::string_view output = "device.rerouting.output";
   const bool is_written = std::ranges::any_of(arms, [](const ArmSpec& arm) { return arm.has_device(); });
-  if (settings.find("device.rerouting.output") && !is_written)
+  if (settings.find(output) && !is_written)
     warn("device.rerouting.output is not written: only SUMO's own device has it (device, one-shot)");
+  const auto of_device = std::ranges::find_if(settings.all(), [&](const Setting& setting) {
+    return setting.name.starts_with("device.rerouting.") && setting.name != output;
+  });
+  if (of_device != settings.all().end())
+    warn(
+        fmt::format("{} of the configuration does not count, as all device.rerouting.*: each arm has its own"
+                    " (SUMO's router with your settings is the arm device:KEY=VALUE)",
+                    of_device->name));
   for (const char* option : {"tripinfo-output", "statistic-output", "vehroute-output"}) {
     const auto file = settings.find(option);
     if (file && !file->empty() && !is_readable_output(*file))

@@ -34,7 +34,7 @@ std::vector<OptionSpec> project_options();
 Project load_project(Options& options, const std::function<void(const SumoOptions&)>& check);
 
 /// Tells which of the user's outputs come under another name than his, or not at all because no arm writes
-/// them (device.rerouting.output).
-void warn_of_outputs(const Settings& settings, std::span<const ArmSpec> arms);
+/// them (device.rerouting.output), and that the settings of SUMO's device are those of the arms.
+void warn_of_settings(const Settings& settings, std::span<const ArmSpec> arms);
 
 }  // namespace thalweg

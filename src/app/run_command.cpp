@@ -205,7 +205,7 @@ int run_command(std::span<const std::string> arguments) {
     verify(!has_memory || arm.name == "memory",
            "--memory-input and --memory-output go with --strategy memory: no other router has one");
   });
-  if (options.text("prepared").empty()) warn_of_outputs(project.settings, {&arm, 1});
+  if (options.text("prepared").empty()) warn_of_settings(project.settings, {&arm, 1});
   const RunFolder folder =
       make_run_folder(project.output, project.settings, project.catalogue, project.demand_files, arm,
                       options.count("seed"), options.header());

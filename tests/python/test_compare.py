@@ -160,7 +160,7 @@ class Outputs(support.TestCase):
         trips = support.write_routes(folder / "t.xml", support.random_trips(net, 20, 20))
         city = support.write(folder / "city.sumocfg", f"""<configuration><net-file value="{net}"/>
             <route-files value="{trips}"/><output-prefix value="TIME-"/><output-suffix value="_${{UTC}}"/>
-            <device.rerouting.output value="weights.xml"/><tripinfo-output value="t.csv"/></configuration>""")
+            <device.rerouting.output value="weights.xml"/><device.rerouting.period value="30"/><tripinfo-output value="t.csv"/></configuration>""")
         call = ("compare", "-c", city, "--seeds", 1)
         self.assertNotIn("rerouting.output", self.succeeds(*call, "-o", folder / "o", "--arms", "device,evolved").err)
         times = "20*-*-*-*-*-*"
@@ -170,6 +170,7 @@ class Outputs(support.TestCase):
         told = self.succeeds(*call, "-o", folder / "none", "--arms", "given,evolved").err
         self.assertEqual(told.count("device.rerouting.output is not written"), 1)
         self.assertEqual(told.count("tripinfo-output 't.csv' is written as XML"), 1)
+        self.assertEqual(told.count("device.rerouting.period of the configuration does not count"), 1)
 
 
 @expand
