@@ -126,14 +126,14 @@ def tuned(lines):
 
 def current(lines, options=""):
     """Of lines with these options: those of the newest SUMO, of each scenario's newest input and of each strategy's
-    newest router; a run that was done again counts once."""
+    newest router there, in the order of their dates; a run that was done again counts once."""
     lines = sorted((line for line in lines if line["options"] == options), key=lambda line: line["date"])
     sumo = lines[-1]["sumo"] if lines else None
     lines = [line for line in lines if line["sumo"] == sumo]
     newest_hash = {line["scenario"]: line["hash"] for line in lines}
-    newest_router = {line["arm"]: line["router"] for line in lines}
-    lines = [line for line in lines
-             if line["hash"] == newest_hash[line["scenario"]] and line["router"] == newest_router[line["arm"]]]
+    newest_router = {(line["scenario"], line["arm"]): line["router"] for line in lines}
+    lines = [line for line in lines if line["hash"] == newest_hash[line["scenario"]]
+             and line["router"] == newest_router[line["scenario"], line["arm"]]]
     return list({key(line): line for line in lines}.values())
 
 
@@ -177,7 +177,8 @@ class Judged:
     def over(self, arm, baseline):
         return ratio(self.commute[arm], self.commute[baseline]) if baseline in self.commute else None
 
-    def row(self, arm):
+    def row(self, arm, newest):
+        """`newest`: the newest router of each arm; one that is older is named."""
         lines, values = self.arms[arm], self.commute[arm].values()
 
         def total(*columns):
@@ -185,7 +186,9 @@ class Judged:
 
         width, against = half_width(values), [self.over(arm, baseline) for baseline in (self.best, TUNED)]
         share = f"{100 * total('router_cpu_s') / max(total('router_cpu_s', 'simulation_cpu_s'), 1e-9):.0f} %"
-        name = f"`{arm}`" + (f" ({self.setting})" if arm == TUNED else "") + (" *" if arm == self.best else "")
+        router = lines[0]["router"]
+        name = (f"`{arm}`" + (f" ({self.setting})" if arm == TUNED else "") + (" *" if arm == self.best else "")
+                + (f" of {router}" if router != newest[lines[0]["arm"]] else ""))
         cells = [self.name, name, ranges(self.commute[arm]), f"{statistics.fmean(values):.1f}",
                  "-" if width is None else f"±{width:.1f}", *("-" if r is None else f"{r:.3f}" for r in against),
                  f"{total('teleports') / len(lines):.1f}", f"{total('running', 'waiting') / len(lines):.1f}",
@@ -226,9 +229,13 @@ def report(lines, scenarios, seeds=None, options=""):
     lines = [line for line in current(lines, options) if line["scenario"] in names]
     if not lines:
         raise Mistake("there is no run to report")
-    routers = {line["arm"]: line["router"] for line in lines if line["router"]}
+    newest, routers = {}, {}
+    for line in lines:
+        newest[line["arm"]] = line["router"]
+        if line["router"]:
+            routers.setdefault(line["arm"], {})[line["router"]] = None
     origin = [f"SUMO {lines[0]['sumo']}", *([f"options {options}"] if options else []),
-              *(f"`{arm}` of src {router}" for arm, router in sorted(routers.items())),
+              *(f"`{arm}` of src {', '.join(own)}" for arm, own in sorted(routers.items())),
               f"{min(line['date'] for line in lines)[:10]} to {max(line['date'] for line in lines)[:10]}"]
     text = ["; ".join(origin) + ".", "",
             "Mean commute in s with its 95 % interval (Student, over seeds); ratios over the seeds that both arms have; "
@@ -247,7 +254,7 @@ def report(lines, scenarios, seeds=None, options=""):
             text += [f"- {verdict(arm, judged)}" for arm in arms] + [""] * bool(arms)
         text += [f"| scenario | arm | seeds | commute | 95 % | / best | / {TUNED} | teleports | unfinished | router |",
                  "|---|---|---|---|---|---|---|---|---|---|"]
-        text += [scenario.row(arm) for scenario in judged for arm in scenario.shown] + [""]
+        text += [scenario.row(arm, newest) for scenario in judged for arm in scenario.shown] + [""]
     return "\n".join(text)
 
 

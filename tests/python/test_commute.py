@@ -115,7 +115,7 @@ class Pure(support.TestCase):
         new = [line("a", "forecast", 1, 8, router="new", date="2026-01-02T00:00:00"),
                line("a", "static", 1, 8, date="2026-01-02T00:00:00")]
         other = line("a", "forecast", 2, 7, router="new", options="--period 30", date="2026-01-03T00:00:00")
-        self.assertCountEqual(table.current([*new, other, *old]), [old[3], *new])
+        self.assertCountEqual(table.current([*new, other, *old]), [old[1], old[3], *new])
         self.assertEqual(table.current([*new, other, *old], "--period 30"), [other])
 
     def test_statistics(self):
@@ -140,6 +140,11 @@ class Pure(support.TestCase):
         self.assertIn("| b | `static` * | 3-5 | 100.0 | ±0.0 | 1.000 | 0.833 | 2.0 | 0.0 | - |", text)
         self.assertRegex(text, r"^SUMO 1.28.0; `forecast` of src abc; 2026-01-01 to 2026-01-01\.\n")
         self.assertNotIn("### city", text)
+        newer = line("a", "forecast", 3, 90, router="def", date="2026-01-02T00:00:00")
+        text = table.report([*lines, newer], [("a", "population"), ("b", "population")], seeds=[3, 4, 5])
+        self.assertRegex(text, r"^SUMO 1.28.0; `forecast` of src abc, def; ")
+        self.assertIn("| a | `forecast` | 3 | 90.0 | - | 0.750 |", text)
+        self.assertIn("| b | `forecast` of abc | 3-5 | 130.0 |", text)
         with self.assertRaisesRegex(table.Mistake, "no run"):
             table.report(lines, [("absent", "city")])
 
