@@ -14,7 +14,9 @@ Insertions::Insertions(const Servers& servers, std::size_t vehicles, const Inser
 }
 
 void Insertions::observe(const Fleet& fleet, Millis now) {
-  if (last_lesson_ < 0) last_lesson_ = now;
+  if (last_lesson_ < 0) last_lesson_ = last_look_ = now;
+  const double unseen = to_seconds(now - last_look_) / 2;  // since it got in, in the mean
+  last_look_ = now;
   for (const VehicleId vehicle : fleet.present()) {
     const FleetVehicle& own = fleet[vehicle];
     const bool waits = own.state == FleetVehicle::State::waiting;
@@ -30,7 +32,7 @@ void Insertions::observe(const Fleet& fleet, Millis now) {
     } else {
       ++line.inserted;
       ++line.seen;
-      line.waited += to_seconds(now - own.depart);
+      line.waited += to_seconds(now - own.depart) - unseen;
     }
   }
   for (const MovementId turn : wanted_) {
@@ -67,7 +69,7 @@ void Insertions::learn(Line& line, double seconds) const {
 std::optional<double> Insertions::wait(MovementId turn) const {
   const Line& line = lines_[turn];
   if (line.seen < 0.5) return std::nullopt;
-  return line.waited / line.seen;
+  return std::max(0.0, line.waited / line.seen);
 }
 
 }  // namespace thalweg

@@ -51,6 +51,7 @@ class Insertions {
   IdVector<VehicleId, bool> is_in_;
   std::vector<MovementId> wanted_;  ///< lines with waiting vehicles at this look
   int looks_ = 0;
+  Millis last_look_ = -1;
   Millis last_lesson_ = -1;
 };
 
