@@ -54,8 +54,10 @@ class ForecastStrategy : public Strategy {
       const std::size_t count = std::min(group, due.size() - first);
       parallel_for(count, workers_.size(), [&](std::size_t i, std::size_t worker) {
         const Traveller& traveller = due[first + i];
-        decide_one(*traffic[traveller.vehicle_class].graph, classes_[traveller.vehicle_class], traveller,
-                   workers_[worker], decisions[first + i]);
+        const RoadGraph& graph = *traffic[traveller.vehicle_class].graph;
+        ClassView& view = classes_[traveller.vehicle_class];
+        decide_one(graph, view, traveller, workers_[worker], decisions[first + i]);
+        foretell_end(graph, *view.costs, traveller.route.back(), decisions[first + i]);
       });
       if (manners_.books)
         book(traffic, due.subspan(first, count), std::span(decisions).subspan(first, count));
@@ -113,28 +115,10 @@ class ForecastStrategy : public Strategy {
     return from_seconds(manners_.toll * static_cast<double>(table.toll(road, bin)));
   }
 
-  /// When the traveller has made a turn, having entered the road before it at a time. One that waits for its
-  /// insertion does so in the line of its first turn: it may get on the road later than at `begin`.
-  [[nodiscard]] auto arrivals(const RoadGraph& graph, const TimedCosts& costs, const Traveller& traveller,
-                              Millis begin) const {
-    return [this, &graph, &costs, &traveller, begin](ArcId turn, Millis time) {
-      const bool gets_on =
-          time == begin && !traveller.departed && graph.turns().ends(turn).tail == traveller.route.front();
-      return costs.arrive(turn, gets_on ? insertion(graph, traveller, turn) : time);
-    };
-  }
-  [[nodiscard]] Millis insertion(const RoadGraph& graph, const Traveller& traveller, ArcId turn) const {
-    const ArcEnds& ends = graph.turns().ends(turn);
-    const Millis wanted = std::max<Millis>(0, traveller.until_route);
-    return foresight_->now() +
-           foresight_->insertion(traveller.vehicle, wanted, graph.road(ends.tail), graph.road(ends.head));
-  }
-
   /// Calls `enters(i, time)` for each road of the route but the last.
   template <class Enters>
-  Drive drive(const RoadGraph& graph, const TimedCosts& costs, const Traveller& traveller,
-              std::span<const VertexId> route, Millis begin, const Enters& enters) const {
-    const auto arrive = arrivals(graph, costs, traveller, begin);
+  Drive drive(const RoadGraph& graph, const TimedCosts& costs, std::span<const VertexId> route, Millis begin,
+              const Enters& enters) const {
     Drive result;
     Millis time = begin;
     for (std::size_t i = 0; i + 1 < route.size() && time < infinity; ++i) {
@@ -142,7 +126,7 @@ class ForecastStrategy : public Strategy {
       result.owed += toll(graph, costs, route[i], time);
       Millis next = infinity;
       for (const Arc& arc : graph.turns().out(route[i])) {
-        if (arc.end == route[i + 1]) next = std::min(next, arrive(arc.id, time));
+        if (arc.end == route[i + 1]) next = std::min(next, costs.arrive(arc.id, time));
       }
       time = next;
     }
@@ -153,19 +137,14 @@ class ForecastStrategy : public Strategy {
   /// The way leads through a closed road.
   static bool never(Millis begin, Millis arrival) { return arrival - begin >= TimedCosts::closed / 2; }
 
-  /// When it enters the first road of its route, at the earliest where it waits for its insertion. One that
-  /// is on it is as one that entered so much earlier as leaves when it does.
+  /// When it enters the first road of its route. One that is on it is as one that entered so much earlier as
+  /// leaves when it does.
   [[nodiscard]] Millis start(const RoadGraph& graph, const TimedCosts& costs,
                              const Traveller& traveller) const {
     const Millis now = foresight_->now();
     const Millis until_route = std::max<Millis>(0, traveller.until_route);
+    if (!traveller.departed) return now + foresight_->insertion(traveller.vehicle, until_route);
     const VertexId front = traveller.route.front();
-    if (!traveller.departed) {
-      Millis earliest = infinity;
-      for (const Arc& turn : graph.turns().out(front))
-        earliest = std::min(earliest, insertion(graph, traveller, turn.id));
-      return earliest < infinity ? earliest : now + until_route;
-    }
     if (const auto leaving = foresight_->leaving(traveller.vehicle)) {
       if (leaving->road == graph.road(front)) return start_in_queue(graph, costs, front, leaving->at);
       const Servers& servers = foresight_->expected().servers;
@@ -184,7 +163,7 @@ class ForecastStrategy : public Strategy {
     const double crossing = expected.level.pace() * expected.servers.free_flow(road);
     const double foretold =
         crossing + expected.forecast.wait_after(road, crossing);  // who enters now leaves then
-    const Millis whole = costs.road_time(road) + costs.delay(front, foresight_->forecast_at());
+    const Millis whole = costs.to_end(front);
     const double left = to_seconds(leaves - foresight_->now());
     const double more = std::min(1.0, left / std::max(1.0, foretold)) * (to_seconds(whole) - foretold);
     return foresight_->now() + from_seconds(std::max(0.0, left + more)) - whole;
@@ -198,23 +177,15 @@ class ForecastStrategy : public Strategy {
     return foresight_->driven(costs.road_time(graph.road(road)));
   }
 
-  /// When it is at the end of its last road, which it enters at `entry`.
-  [[nodiscard]] Millis ends(const RoadGraph& graph, const TimedCosts& costs, VertexId last,
-                            Millis entry) const {
-    const double share = graph.turns().out(last).empty() ? 1 : foresight_->share_of_last_delay();
-    return entry + costs.road_time(graph.road(last)) +
-           static_cast<Millis>(share * static_cast<double>(std::max<Millis>(0, costs.delay(last, entry))));
-  }
-
   void decide_one(const RoadGraph& graph, ClassView& view, const Traveller& traveller, Worker& worker,
                   Decision& decision) const {
     const Digraph& turns = graph.turns();
     const TimedCosts& costs = *view.costs;
     const Millis begin = start(graph, costs, traveller);
-    const Drive old = drive(graph, costs, traveller, traveller.route, begin, [](std::size_t, Millis) {});
+    const Millis last = crossing_of(graph, costs, traveller.route.back());
+    const Drive old = drive(graph, costs, traveller.route, begin, [](std::size_t, Millis) {});
     decision.entered = begin;
-    const VertexId last = traveller.route.back();
-    decision.old_cost = old.arrival >= infinity ? infinity : ends(graph, costs, last, old.arrival) - begin;
+    decision.old_cost = old.arrival >= infinity ? infinity : old.arrival - begin + last;
     decision.new_cost = decision.old_cost;
     // Only ways that the rule would take are searched for, with what is owed as a cost like time, and among
     // them those that are not later for the vehicle itself: mostly there is none, which is seen soon.
@@ -230,7 +201,8 @@ class ForecastStrategy : public Strategy {
     for (const VertexId waypoint : traveller.waypoints) {
       view.potentials->start(worker.left, waypoint);
       const auto found = timed_search(
-          turns, at, best.arrival, best.owed, waypoint, limits, arrivals(graph, costs, traveller, begin),
+          turns, at, best.arrival, best.owed, waypoint, limits,
+          [&](ArcId arc, Millis time) { return costs.arrive(arc, time); },
           [&](VertexId road, Millis time) { return toll(graph, costs, road, time); },
           [&](VertexId v) { return view.potentials->left(worker.left, v); }, worker.search);
       if (!found || never(begin, found->arrival)) {
@@ -242,9 +214,21 @@ class ForecastStrategy : public Strategy {
       best = {.arrival = found->arrival, .owed = found->owed};
       at = waypoint;
     }
-    // What it owes is not part of the time that is foretold.
-    decision.new_cost = ends(graph, costs, last, best.arrival) - begin;
+    decision.new_cost = best.arrival - begin + last;  // what it owes is not part of the time that is foretold
     decision.change = decision.route != traveller.route;
+  }
+
+  /// The costs have the last road as it is driven by one that nobody is in the way of.
+  void foretell_end(const RoadGraph& graph, const TimedCosts& costs, VertexId last,
+                    Decision& decision) const {
+    const Millis cost = decision.change ? decision.new_cost : decision.old_cost;
+    if (cost >= infinity) return;
+    const Millis alone = crossing_of(graph, costs, last);
+    const Millis entry = *decision.entered + cost - alone;
+    const double ahead = std::max(0.0, to_seconds(entry - foresight_->forecast_at()));
+    const double share = graph.turns().out(last).empty() ? 1 : foresight_->share_of_last_delay();
+    const double delay = std::max(0.0, foresight_->expected().delay(graph.road(last), ahead));
+    decision.at_the_end = costs.road_time(graph.road(last)) + from_seconds(share * delay) - alone;
   }
 
   /// Moves the places of those who changed their ways.
@@ -255,8 +239,8 @@ class ForecastStrategy : public Strategy {
       const RoadGraph& graph = *traffic[due[i].vehicle_class].graph;
       const TimedCosts& costs = *classes_[due[i].vehicle_class].costs;
       const Millis entered = *decisions[i].entered;
-      take_places(graph, costs, due[i], due[i].route, entered, -1);
-      take_places(graph, costs, due[i], decisions[i].route, entered, +1);
+      take_places(graph, costs, due[i].route, entered, -1);
+      take_places(graph, costs, decisions[i].route, entered, +1);
     }
     for (const RoadId road : foresight_->bookings().take_changed()) {
       for (ClassView& view : classes_) {
@@ -264,9 +248,9 @@ class ForecastStrategy : public Strategy {
       }
     }
   }
-  void take_places(const RoadGraph& graph, const TimedCosts& costs, const Traveller& traveller,
-                   std::span<const VertexId> route, Millis entered, double count) {
-    drive(graph, costs, traveller, route, entered, [&](std::size_t i, Millis time) {
+  void take_places(const RoadGraph& graph, const TimedCosts& costs, std::span<const VertexId> route,
+                   Millis entered, double count) {
+    drive(graph, costs, route, entered, [&](std::size_t i, Millis time) {
       foresight_->bookings().book(graph.road(route[i]), reaches_end(graph, costs, route[i], time), count);
     });
   }

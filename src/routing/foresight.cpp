@@ -47,16 +47,8 @@ bool Foresight::watch(const TrafficState& state) {
   return true;
 }
 
-Millis Foresight::insertion(VehicleId vehicle, Millis wanted, RoadId first, RoadId second) const {
-  const FleetVehicle& own = fleet_[vehicle];
-  const Millis since_forecast = now_ - forecast_at_;
-  const Millis as_it_is = std::max(wanted, forecast_.insertion(vehicle) - since_forecast);
-  const MovementId turn = servers_.find(first, second);
-  if (!turn.valid() || (own.route.size() > 1 && own.route[1] == second)) return as_it_is;
-  const auto seen = discharge_.insertions().wait(turn);
-  if (!seen) return as_it_is;
-  return std::max({wanted, own.depart + from_seconds(*seen) - now_,
-                   forecast_.insertion(turn, own.depart - forecast_at_) - since_forecast});
+Millis Foresight::insertion(VehicleId vehicle, Millis wanted) const {
+  return std::max(wanted, forecast_.insertion(vehicle) - (now_ - forecast_at_));
 }
 
 std::optional<Foresight::Leaving> Foresight::leaving(VehicleId vehicle) const {

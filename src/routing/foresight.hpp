@@ -50,11 +50,8 @@ class Foresight {
   }
   /// Share of a road's delay that those meet who end their trip there.
   [[nodiscard]] double share_of_last_delay() const { return last_roads_.share(); }
-  /// From now until a vehicle that has not departed, and wants to in `wanted`, gets on the first of these
-  /// roads, were they the first two of its route. For another turn than its own it counts only what was seen
-  /// of those who made it: whether they pass the others depends on lanes, and on where the demand wants
-  /// vehicles inserted.
-  [[nodiscard]] Millis insertion(VehicleId vehicle, Millis wanted, RoadId first, RoadId second) const;
+  /// From now until a vehicle that has not departed gets on its first road; it wants to in `wanted`.
+  [[nodiscard]] Millis insertion(VehicleId vehicle, Millis wanted) const;
   struct Leaving {
     RoadId road;
     Millis at;  ///< not before now

@@ -46,6 +46,9 @@ struct Decision {
   Millis new_cost = 0;  ///< of `route`
   /// When it entered route.front(), where the strategy knows better than Traveller::until_route.
   std::optional<Millis> entered{};
+  /// What it is to meet on its last road beside that, in the way of the others there. The same on every way,
+  /// so that it has no part in the costs that are compared.
+  Millis at_the_end = 0;
 };
 
 /// When a traveller arrives that decides at `now` for a way of this cost.

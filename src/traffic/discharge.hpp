@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "traffic/fleet.hpp"
-#include "traffic/insertions.hpp"
 #include "traffic/servers.hpp"
 
 namespace thalweg {
@@ -20,7 +19,7 @@ struct DischargeOptions {
 };
 
 /// What the lanes really let through, learned while the run goes on: a factor on the headways of Servers for
-/// every lane; beside it what they let onto the roads.
+/// every lane, and a headway of insertion for every road.
 /// A lane whose queue never emptied has shown its capacity: factor = time / headways of those that left. One
 /// that let more pass than the model allows has shown that it can.
 class Discharge {
@@ -32,7 +31,7 @@ class Discharge {
   void observe(const Fleet& fleet, Millis now);
 
   [[nodiscard]] double factor(LaneId lane) const { return lanes_[lane].factor; }
-  [[nodiscard]] const Insertions& insertions() const { return insertions_; }
+  [[nodiscard]] double insertion_headway(RoadId road) const { return roads_[road].headway; }  ///< s
 
  private:
   struct LaneState {
@@ -40,6 +39,13 @@ class Discharge {
     double served = 0;  ///< s: headways of those that left since the last lesson
     int queue = 0;      ///< at this look
     int busy_looks = 0;
+  };
+  struct RoadState {
+    double usual_headway = 2;  ///< while nobody has waited yet
+    double headway = 2;
+    int waiting = 0;  ///< at this look
+    int busy_looks = 0;
+    int inserted = 0;
   };
   struct Last {
     std::size_t position = 0;
@@ -53,10 +59,11 @@ class Discharge {
 
   const Servers& servers_;
   DischargeOptions options_;
-  Insertions insertions_;
   IdVector<LaneId, LaneState> lanes_;
+  IdVector<RoadId, RoadState> roads_;
   IdVector<VehicleId, Last> last_;
   std::vector<LaneId> queued_;  ///< lanes with a queue at this look
+  std::vector<RoadId> wanted_;  ///< roads with waiting vehicles at this look
   int looks_ = 0;
   Millis last_lesson_ = -1;
 };

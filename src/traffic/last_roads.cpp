@@ -32,7 +32,7 @@ void LastRoads::observe(const Fleet& fleet, const Expectation& expected, Millis 
     if (expected.servers.first_of(road) == expected.servers.last_of(road)) continue;  // nobody drives on
     stays_[vehicle] = {.since = now,
                        .crossing = expected.servers.free_flow(road),
-                       .delay = std::max(0.0, expected.delay(road))};
+                       .delay = std::max(0.0, expected.delay(road, 0))};
     open_.push_back(vehicle);
   }
 }

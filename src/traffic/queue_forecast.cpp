@@ -26,8 +26,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       occupancy_(network.roads.size()),
       held_up_(network.roads.size()),
       delayed_(network.roads.size()),
-      lines_(servers.size()),
-      open_at_(network.roads.size(), long_ago),
+      lines_(network.roads.size()),
       table_(network, options.bin, options.bins, options.tolls) {}
 
 void QueueForecast::observe(const Fleet& fleet, Millis now) {
@@ -56,14 +55,11 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   occupancy_.assign(occupancy_.size(), 0);
   for (auto& lanes : held_up_) lanes.clear();
   for (auto& times : delayed_) times.clear();
-  for (const MovementId turn : lined_) {
-    lines_[turn].clear();
-    open_at_[servers_[turn].from] = long_ago;
-  }
+  for (const RoadId road : lined_) lines_[road].clear();
   lined_.clear();
   insertion_.assign(fleet.size(), 0);
   leaving_.assign(fleet.size(), {});
-  for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], now);
+  for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], to_seconds(now));
   assume_departures(fleet, now);
   // A calendar and not a heap: what is a tenth of a second apart may be in any order, so long as it is always
   // the same one. Events of this tick may be found out while it is at hand.
@@ -80,11 +76,14 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   table_.tabulate(servers_, discharge_, passed_, delayed_);
 }
 
-void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, Millis now) {
+void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now) {
   if (vehicle.route.empty()) return;
   if (vehicle.state == FleetVehicle::State::waiting) {
     insertion_[id] = from_seconds(horizon_);  // unless its turn comes
-    return add_departure(vehicle.route, to_seconds(vehicle.depart - now), id);
+    Mover mover = on(vehicle.route);
+    mover.vehicle = id;
+    add(mover, std::max(0.0, to_seconds(vehicle.depart) - now), Kind::departs);
+    return;
   }
   if (vehicle.is_lost || !vehicle.lane.valid()) return;
   std::size_t position = vehicle.position;
@@ -117,7 +116,7 @@ void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
   auto next = std::upper_bound(expected_.begin(), expected_.end(), known_until,
                                [](Millis time, const Departure& departure) { return time < departure.time; });
   for (; next != expected_.end() && to_seconds(next->time - now) <= horizon_; ++next)
-    add_departure(next->route, to_seconds(next->time - now));
+    add(on(next->route), to_seconds(next->time - now), Kind::departs);
 }
 
 void QueueForecast::repeat_departures(const Fleet& fleet, Millis known_until, Millis now) {
@@ -125,7 +124,7 @@ void QueueForecast::repeat_departures(const Fleet& fleet, Millis known_until, Mi
     if (departure <= known_until - options_.repeated || departure > known_until) return;
     for (Millis time = departure + options_.repeated; to_seconds(time - now) <= horizon_;
          time += options_.repeated) {
-      if (time > known_until) add_departure(route, to_seconds(time - now));
+      if (time > known_until) add(on(route), to_seconds(time - now), Kind::departs);
     }
   };
   for (const Departure& departure : recent_) repeat(departure.time, departure.route);
@@ -133,13 +132,6 @@ void QueueForecast::repeat_departures(const Fleet& fleet, Millis known_until, Mi
     const FleetVehicle& own = fleet[vehicle];
     if (own.depart > now && own.route.size() >= 2) repeat(own.depart, own.route);
   }
-}
-
-void QueueForecast::add_departure(const std::vector<RoadId>& route, double wanted, VehicleId vehicle) {
-  Mover mover = on(route);
-  mover.vehicle = vehicle;
-  mover.wanted = static_cast<float>(wanted);
-  add(mover, std::max(0.0, wanted), Kind::departs);
 }
 
 void QueueForecast::add(const Mover& mover, double time, Kind kind) {
@@ -196,60 +188,38 @@ void QueueForecast::handle(const Event& event) {
 }
 
 void QueueForecast::depart(const Event& event) {
-  const Mover& mover = movers_[event.subject];
-  const MovementId turn = mover.road == mover.last ? MovementId{} : servers_.find(*mover.road, mover.road[1]);
-  if (!turn.valid()) return;  // it stays on one road, or its route is not what SUMO drives
-  Line& line = lines_[turn];
-  if (line.vehicles.empty()) lined_.push_back(turn);
-  line.vehicles.push_back({.mover = event.subject, .wanted = mover.wanted, .entered = still_there});
-  const bool is_first = line.head + 1 == line.vehicles.size();
-  if (is_first) push(std::max(event.time, line.free_at), Kind::enters, turn.value);
+  const RoadId road = *movers_[event.subject].road;
+  Line& line = lines_[road];
+  if (line.movers.empty()) lined_.push_back(road);
+  line.movers.push_back(event.subject);
+  const bool is_first = line.head + 1 == line.movers.size();
+  if (is_first) push(std::max(event.time, line.free_at), Kind::enters, road.value);
 }
 
 void QueueForecast::enter(const Event& event) {
-  const MovementId turn{event.subject};
-  const RoadId road = servers_[turn].from;
-  if (event.time < open_at_[road]) return push(open_at_[road], Kind::enters, turn.value);
+  const RoadId road{event.subject};
   if (occupancy_[road] >= servers_.storage(road) * options_.full)
-    return push(event.time + options_.insertion_retry, Kind::enters, turn.value);
-  Line& line = lines_[turn];
-  Waiting& first = line.vehicles[line.head++];
-  first.entered = static_cast<float>(event.time);
-  Mover& mover = movers_[first.mover];
+    return push(event.time + options_.insertion_retry, Kind::enters, road.value);
+  Line& line = lines_[road];
+  const std::uint32_t first = line.movers[line.head++];
+  Mover& mover = movers_[first];
+  ++occupancy_[road];
   if (mover.vehicle.valid()) insertion_[mover.vehicle] = from_seconds(event.time);
   mover.vehicle = {};
-  ++occupancy_[road];
-  push(event.time + crossing(road), Kind::reaches_end, first.mover);
-  open_at_[road] = event.time + servers_.insertion_headway(road);
-  line.free_at = event.time + discharge_.insertions().headway(turn);
-  if (line.head < line.vehicles.size()) push(line.free_at, Kind::enters, turn.value);
+  push(event.time + crossing(road), Kind::reaches_end, first);
+  line.free_at = event.time + discharge_.insertion_headway(road);
+  if (line.head < line.movers.size()) push(line.free_at, Kind::enters, road.value);
 }
 
 void QueueForecast::estimate_later_insertions() {
-  for (const MovementId turn : lined_) {
-    Line& line = lines_[turn];
+  for (const RoadId road : lined_) {
+    const Line& line = lines_[road];
     double time = std::max(horizon_, line.free_at);
-    for (std::size_t i = line.head; i < line.vehicles.size();
-         ++i, time += discharge_.insertions().headway(turn)) {
-      line.vehicles[i].entered = static_cast<float>(time);
-      const VehicleId vehicle = movers_[line.vehicles[i].mover].vehicle;
+    for (std::size_t i = line.head; i < line.movers.size(); ++i, time += discharge_.insertion_headway(road)) {
+      const VehicleId vehicle = movers_[line.movers[i]].vehicle;
       if (vehicle.valid()) insertion_[vehicle] = from_seconds(time);
     }
   }
-}
-
-Millis QueueForecast::insertion(MovementId turn, Millis wanted) const {
-  const std::vector<Waiting>& line = lines_[turn].vehicles;
-  const double own = to_seconds(wanted);
-  const auto behind = std::upper_bound(line.begin(), line.end(), own, [](double time, const Waiting& one) {
-    return time < static_cast<double>(one.wanted);
-  });
-  double time = std::max(0.0, own);
-  if (behind != line.begin()) {
-    const Waiting& before = *std::prev(behind);
-    time = std::max(time, static_cast<double>(before.entered) + discharge_.insertions().headway(turn));
-  }
-  return from_seconds(time);
 }
 
 void QueueForecast::reach_end(const Event& event) {

@@ -49,11 +49,8 @@ class QueueForecast {
 
   [[nodiscard]] const QueueTable& table() const { return table_; }
   /// When a vehicle that waited at the last run gets on its first road, from then on; 0 when it was not
-  /// there. Each turn has a line of its own. Beyond the horizon by its place in the line.
+  /// there. Beyond the horizon by its place in the line.
   [[nodiscard]] Millis insertion(VehicleId vehicle) const { return insertion_[vehicle]; }
-  /// The same for one that would make this turn first, and was to depart at `wanted`, from the last run on:
-  /// it is put in line by that.
-  [[nodiscard]] Millis insertion(MovementId turn, Millis wanted) const;
 
   struct Leaving {
     RoadId road{};    ///< it was there at the last run, or about to enter; invalid: it was on none
@@ -68,7 +65,6 @@ class QueueForecast {
   struct Mover {
     const RoadId* road;  ///< of its route
     const RoadId* last;  ///< the route's last road
-    float wanted = 0;    ///< s from now: to depart; below 0: it has waited
     LaneId preferred{};
     VehicleId vehicle{};  ///< a real one, until it is inserted or leaves the road it was on
   };
@@ -82,21 +78,13 @@ class QueueForecast {
     double held_at = long_ago;  ///< s from now: when he looked for it
     bool is_active = false;
   };
-  /// Of those who wait for their insertion and will make the same first turn, in the order of their
-  /// departures.
-  struct Waiting {
-    std::uint32_t mover;
-    float wanted;   ///< s from now
-    float entered;  ///< s from now
-  };
-  /// Of those who wait for their insertion and will make the same first turn, in the order of their
-  /// departures.
+  /// Of those who want to get on a road, in the order of their departures.
   struct Line {
-    std::vector<Waiting> vehicles;
+    std::vector<std::uint32_t> movers;
     std::size_t head = 0;       ///< the first that still waits
     double free_at = long_ago;  ///< s from now: it may enter, where there is room
     void clear() {              // keeps the storage
-      vehicles.clear();
+      movers.clear();
       head = 0;
       free_at = long_ago;
     }
@@ -105,10 +93,9 @@ class QueueForecast {
   static constexpr double ticks_a_second = 10;
   enum class Kind : std::uint8_t { reaches_end, leaves, forces_its_way, departs, enters };
   struct Event {
-    double time;  ///< s from now
-    std::uint32_t
-        subject;         ///< a mover; the lane for `leaves` and `forces_its_way`, the movement for `enters`
-    std::uint32_t next;  ///< in the same tick
+    double time;            ///< s from now
+    std::uint32_t subject;  ///< a mover; the lane for `leaves` and `forces_its_way`, the road for `enters`
+    std::uint32_t next;     ///< in the same tick
     Kind kind;
   };
   /// Those of a tenth of a second, one after the other in the order in which they were found out.
@@ -121,11 +108,10 @@ class QueueForecast {
   static Mover on(const std::vector<RoadId>& route, std::size_t position = 0) {
     return {.road = &route[position], .last = &route.back()};
   }
-  void place(VehicleId id, const FleetVehicle& vehicle, Millis now);
+  void place(VehicleId id, const FleetVehicle& vehicle, double now);
   void assume_departures(const Fleet& fleet, Millis now);
   void repeat_departures(const Fleet& fleet, Millis known_until, Millis now);
   void add(const Mover& mover, double time, Kind kind);
-  void add_departure(const std::vector<RoadId>& route, double wanted, VehicleId vehicle = {});
   [[nodiscard]] double crossing(RoadId road) const { return pace_ * servers_.free_flow(road); }
   /// Has the memory fetch what the next two events of the tick will need: vehicles that are there at the same
   /// time are nowhere near each other in it (3 % of the router's time on luxembourg).
@@ -173,9 +159,8 @@ class QueueForecast {
   IdVector<RoadId, int> occupancy_;
   IdVector<RoadId, std::vector<LaneId>> held_up_;  ///< lanes whose first waits for room on the road
   IdVector<RoadId, std::vector<float>> delayed_;  ///< s from now: when others who waited behind these went on
-  IdVector<MovementId, Line> lines_;
-  std::vector<MovementId> lined_;     ///< lines that are not as new
-  IdVector<RoadId, double> open_at_;  ///< s from now: another may be inserted there, whatever its line
+  IdVector<RoadId, Line> lines_;
+  std::vector<RoadId> lined_;  ///< lines that are not as new
   IdVector<VehicleId, Millis> insertion_;
   IdVector<VehicleId, Leaving> leaving_;
   QueueTable table_;

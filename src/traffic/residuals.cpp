@@ -55,13 +55,7 @@ void Residuals::learn(const Servers& servers, const Level& level, const QueueTab
     const double longest = is_normal ? options_.longest_road : options_.longest_junction;
     const double seen =
         std::min(longest, passage.vehicle_seconds / std::max(passage.traversals, options_.least_traversals));
-    // On a road of 5 m one that stands for two minutes would be worth hundreds of traversals.
-    const double standing = passage.vehicle_seconds / std::max(model, options_.standing);
-    const double weight = std::max(passage.traversals, standing);
-    if (weight <= 0) {  // nobody there
-      now_sums.forget(fading);
-      late_sums.forget(fading);
-    }
+    const double weight = std::max(passage.traversals, passage.vehicle_seconds / model);  // 0: nobody there
     now_sums.add(weight * share, clamped(seen - model, options_.most_lasting));
     if (then != nullptr && is_normal)
       late_sums.add(weight * share, clamped(seen - static_cast<double>(then->times[i]), options_.most_late));

@@ -18,7 +18,6 @@ struct ResidualOptions {
   double longest_road = 1800;     ///< s; what is measured above it counts as this
   double longest_junction = 600;  ///< s
   double least_traversals = 0.5;
-  double standing = 20;      ///< s that somebody stands on a road to count as a traversal, at the least
   double fading = 900;       ///< s after which a passing residual counts 1/e
   double memory = 1800;      ///< s after which what was seen counts 1/e for a lasting one
   double most_lasting = 20;  ///< s: what is more than that is a jam, and passes
@@ -31,8 +30,7 @@ struct ResidualOptions {
 /// the last minutes moves it the less, the farther it looks ahead. Beside them, what the forecasts made some
 /// minutes ago missed: a queue that the model lets grow or dissolve too soon is right now, where its vehicles
 /// are counted, and wrong later. Such a bias by lead time is corrected as that of weather models is (Glahn,
-/// Lowry 1972). Where nobody drives any more all of it is forgotten: a way that is kept off for what happened
-/// there once is never tried again.
+/// Lowry 1972).
 class Residuals {
  public:
   explicit Residuals(const Network& network, const ResidualOptions& options = {});
@@ -53,7 +51,6 @@ class Residuals {
     double weight = 0;  ///< traversals
     double over = 0;    ///< s above the model, weighted
     void fade(double share);
-    void forget(double share) { over *= share; }
     void add(double more, double seconds);
     [[nodiscard]] double mean(double prior) const { return over / (weight + prior); }
   };

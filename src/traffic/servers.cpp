@@ -54,7 +54,6 @@ Servers::Servers(const Network& network, const ServerOptions& options)
       carries_(network.lanes.size(), false),
       ends_(network.roads.size(), RoadEnd::major),
       free_flow_(network.roads.size(), 0),
-      insertion_headway_(network.roads.size(), options.saturation_headway),
       storage_(network.roads.size(), 0),
       fed_by_(network.roads.size()),
       links_(network.signals.size()) {
@@ -80,12 +79,9 @@ void Servers::measure_roads() {
       most = std::max(most, openness(lane));
       speed = std::max(speed, lane.speed);
     }
-    int open = 0;
     for (const LaneId lane : road.lanes()) {
       carries_[lane] = openness(network_.lanes[lane]) == most;
-      open += carries_[lane] ? 1 : 0;
     }
-    insertion_headway_[RoadId{i}] = options_.saturation_headway / std::max(1, open);
     free_flow_[RoadId{i}] = network_.lanes[road.first_lane].length / std::max(0.1, speed);
   }
 }

@@ -67,8 +67,6 @@ class Servers {
   /// else to buses or trams; footways and bicycle lanes only where there is nothing else.
   [[nodiscard]] bool carries(LaneId lane) const { return carries_[lane]; }
   [[nodiscard]] double free_flow(RoadId road) const { return free_flow_[road]; }  ///< s
-  /// s between two insertions on an empty road.
-  [[nodiscard]] double insertion_headway(RoadId road) const { return insertion_headway_[road]; }
   [[nodiscard]] RoadEnd end(RoadId road) const { return ends_[road]; }
   /// Vehicles. Never fewer than are in service when its lanes let pass what they can, each of them for its
   /// mean delay (Little's law): else three cars on a short road were all that pass in a mean red.
@@ -101,7 +99,6 @@ class Servers {
   IdVector<LaneId, bool> carries_;
   IdVector<RoadId, RoadEnd> ends_;
   IdVector<RoadId, double> free_flow_;
-  IdVector<RoadId, double> insertion_headway_;
   IdVector<RoadId, double> storage_;
   IdVector<RoadId, SignalId> fed_by_;  ///< the signal of all turns onto the road; invalid: none, or not all
   IdVector<SignalId, std::vector<Link>> links_;

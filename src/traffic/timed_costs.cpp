@@ -20,7 +20,8 @@ void TimedCosts::refresh(const Expectation& expected, Millis now) {
   horizon_ = bin_ * static_cast<Millis>(nodes_ - 1);
   costs_.resize(free_flow_.size() * nodes_);
   least_.resize(free_flow_.size());
-  delays_.resize(graph_.turns().vertex_count() * nodes_);
+  to_end_.resize(graph_.turns().vertex_count());
+  delay_.resize(nodes_);
   fading_.resize(nodes_);
   late_.resize(nodes_);
   for (std::size_t b = 0; b < nodes_; ++b) {
@@ -48,6 +49,10 @@ void TimedCosts::take_conditions(const Conditions& conditions) {
 void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
   const auto out = graph_.turns().out(v);
   const RoadId road = graph_.road(v);
+  if (out.empty()) {
+    to_end_[v.value] = road_times_[road];
+    return;
+  }
   const Residuals& residuals = expected.residuals;
   const double passing_here = residuals.passing(road);
   const double late_here = residuals.late(road);
@@ -63,13 +68,13 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
   };
   auto left = static_cast<std::ptrdiff_t>(std::min(std::floor(later), static_cast<double>(last)));
   double at_left = wait(left);
-  float* delays = delays_.data() + v.value * nodes_;
   for (std::size_t b = 0; b < nodes_; ++b) {
     const double at_right = wait(++left);
-    delays[b] = static_cast<float>(extra + at_left * (1 - share) + at_right * share +
-                                   passing_here * fading_[b] + late_here * late_[b]);
+    delay_[b] =
+        extra + at_left * (1 - share) + at_right * share + passing_here * fading_[b] + late_here * late_[b];
     at_left = at_right;
   }
+  to_end_[v.value] = road_times_[road] + from_seconds(delay_[0]);
   for (const Arc& arc : out) {
     std::int32_t* cost = costs_.data() + arc.id.value * nodes_;
     if (is_closed_[arc.id.value]) {
@@ -85,8 +90,7 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
     }
     const auto free_flow = static_cast<std::int32_t>(std::min<Millis>(free_flow_[arc.id.value], closed));
     for (std::size_t b = 0; b < nodes_; ++b) {
-      const double delay =
-          std::clamp(static_cast<double>(delays[b]) + lasting + passing * fading_[b], 0.0, 100'000.0);
+      const double delay = std::clamp(delay_[b] + lasting + passing * fading_[b], 0.0, 100'000.0);
       cost[b] = free_flow + static_cast<std::int32_t>(delay * 1000);
     }
     const auto bin = static_cast<std::int32_t>(bin_);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "graph/road_graph.hpp"
@@ -21,10 +23,14 @@ struct Expectation {
   const Residuals& residuals;
   const Conditions& conditions;
 
-  /// Above free flow, in s, of one that enters the road now and drives on at its end.
-  [[nodiscard]] double delay(RoadId road) const {
-    return level.extra(servers, road) + residuals.lasting(road) + residuals.passing(road) +
-           forecast.wait_after(road, servers.free_flow(road));
+  /// Above free flow, in s, of one that enters the road `ahead` s after the forecast and drives on at its
+  /// end.
+  [[nodiscard]] double delay(RoadId road, double ahead) const {
+    const ResidualOptions& fades = residuals.options();
+    return level.extra(servers, road) + residuals.lasting(road) +
+           residuals.passing(road) * std::exp(-ahead / fades.fading) +
+           residuals.late(road) * std::min(1.0, ahead / fades.lead) +
+           forecast.wait_after(road, ahead + servers.free_flow(road));
   }
 };
 
@@ -56,12 +62,8 @@ class TimedCosts {
   /// What each takes at the best time there is; infinity when it is closed. Bookings since the last refresh
   /// as a whole do not count.
   [[nodiscard]] const std::vector<Millis>& least() const { return least_; }
-  /// Above free flow, of one that enters the road at this time and drives on at its end; the turns there come
-  /// on top.
-  [[nodiscard]] Millis delay(VertexId road, Millis entry) const {
-    const auto bin = static_cast<std::size_t>(std::clamp<Millis>(entry - now_, 0, horizon_) / bin_);
-    return from_seconds(static_cast<double>(delays_[road.value * nodes_ + bin]));
-  }
+  /// From entering the road at the forecast's moment to its end; the turns there come on top.
+  [[nodiscard]] Millis to_end(VertexId road) const { return to_end_[road.value]; }
   /// To cross the road itself.
   [[nodiscard]] Millis road_time(RoadId road) const { return road_times_[road]; }
 
@@ -78,11 +80,12 @@ class TimedCosts {
   std::size_t nodes_ = 1;
   std::vector<Millis> least_;        ///< by turn
   std::vector<std::int32_t> costs_;  ///< ms, by turn and bin
-  std::vector<float> delays_;        ///< s, by road and bin
+  std::vector<Millis> to_end_;       ///< by road
   std::vector<double> fading_;       ///< share of passing residuals that is left, by bin
   std::vector<double> late_;         ///< share of the late ones that counts yet, by bin
   std::vector<double> slower_;       ///< s above free flow, by road
   std::vector<bool> is_closed_;      ///< by turn
+  std::vector<double> delay_;        ///< scratch: s at one road, by bin
 };
 
 }  // namespace thalweg

@@ -42,6 +42,22 @@ TEST_F(DischargeTest, AnEmptyRoadTeachesNothing) {
   Discharge discharge(net, servers, driven.demand);
   for (Millis second = 0; second <= 600; ++second) discharge.observe(driven.fleet, second * 1000);
   EXPECT_EQ(discharge.factor(lane()), 1);
+  EXPECT_EQ(discharge.insertion_headway(road(net, "AB")), 2);
+}
+
+// Forty wait for two minutes, and one gets in every 20 s.
+TEST_F(DischargeTest, InsertionIsLearnedWhileSomebodyWaits) {
+  Driven driven(net, 40);
+  Discharge discharge(net, servers, driven.demand);
+  for (std::size_t i = 0; i < 40; ++i) driven.load(i, "ABC");
+  for (Millis second = 0; second <= 120; ++second) {
+    std::vector<Driven::At> places;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(second / 20); ++i)
+      places.push_back({.vehicle = i, .road = "AB", .metres = 50, .speed = 9});
+    driven.look(places);
+    discharge.observe(driven.fleet, second * 1000);
+  }
+  EXPECT_NEAR(discharge.insertion_headway(road(net, "AB")), 2 + 0.5 * (20 - 2), 1);
 }
 
 }  // namespace

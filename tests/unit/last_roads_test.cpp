@@ -50,7 +50,7 @@ TEST_F(LastRoadsTest, TheShareIsLearnedFromThoseWhoArrive) {
   for (const double share : {0.0, 0.3, 1.0}) {
     LastRoads last_roads(100, {.prior = 1, .memory = 1e9});
     end_trips(last_roads, "ABC", "BC", 0, 0);
-    const double delay = expected.delay(road(net, "BC"));
+    const double delay = expected.delay(road(net, "BC"), 0);
     ASSERT_GT(delay, 40);
     end_trips(last_roads, "ABC", "BC", 100, static_cast<Millis>(30 + share * delay));
     EXPECT_NEAR(last_roads.share(), share, 0.03);

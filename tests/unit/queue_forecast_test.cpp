@@ -189,22 +189,6 @@ TEST_F(Queues, WhoWaitsIsInsertedInTurn) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(forecast.insertion(VehicleId{i}), expected[i]) << i;
 }
 
-// Three wanted to depart at 0, 10 and 20 s and still wait at 30 s: who wanted to at 15 s comes before the
-// third.
-TEST_F(Queues, WhoWouldChangeTheLineComesByItsDeparture) {
-  Driven driven(net, 3);
-  const Discharge discharge(net, servers, driven.demand);
-  QueueForecast forecast(net, servers, discharge, nobody_assumed);
-  for (std::size_t i = 0; i < 3; ++i) driven.load(i, "ABCD", static_cast<Millis>(i) * 10'000);
-  forecast.run(driven.fleet, Level(net), 30'000);
-  const MovementId straight_on = servers.find(road(net, "AB"), road(net, "BC"));
-  EXPECT_EQ(forecast.insertion(straight_on, -40'000), 0);
-  EXPECT_EQ(forecast.insertion(straight_on, -15'000), 4'000);
-  EXPECT_EQ(forecast.insertion(straight_on, 0), 6'000);
-  EXPECT_EQ(forecast.insertion(straight_on, 50'000), 50'000);
-  EXPECT_EQ(forecast.insertion(servers.find(road(net, "BC"), road(net, "CD")), -15'000), 0) << "nobody waits";
-}
-
 // A vehicle in 2 s gets on AB: 600 within the horizon of 1200 s, the others later, each by its place.
 TEST_F(Queues, WhoWaitsBeyondTheHorizonKnowsItsPlaceInTheLine) {
   Driven driven(net, 1000);
