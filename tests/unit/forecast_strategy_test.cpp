@@ -3,6 +3,7 @@
 
 #include "simulation/control.hpp"
 #include "support/fake_simulation.hpp"
+#include "support/watched.hpp"
 
 namespace thalweg::testing {
 namespace {
@@ -71,6 +72,34 @@ TEST(Toll, NobodyIsSentOnAWayThatIsLaterForItself) {
 TEST(Toll, IsWholeInMarginal) {
   EXPECT_EQ(by_c({.strategy = "marginal", .toll = 0, .least_gain = 15'000}),
             by_c({.toll = 1, .least_gain = 15'000}));
+}
+
+//     A---B---C---D      30 s each, junctions 2 s. Forty stand at the end of BC for 80 s. Who is at its end
+//     in 62 s,
+//                        between 60 and 80, would wait there for 10 s to drive on; half of that if it ends
+//                        there.
+TEST(Forecast, WhoEndsOnARoadIsInItsQueueForAShare) {
+  Watched traffic(ascii_network("A---B---C---D"), 41);
+  const RoadGraph graph(traffic.network, VehicleClass::passenger);
+  std::vector<Driven::At> places;
+  for (std::size_t i = 0; i < 40; ++i) {
+    traffic.driven.load(i, "BCD");
+    places.push_back({.vehicle = i, .road = "BC", .metres = 299});
+  }
+  traffic.driven.load(40, "ABC");
+  places.push_back({.vehicle = 40, .road = "AB"});
+  const auto strategy = make_strategy("forecast", {});
+  strategy->watch(traffic.look(places, 0));
+  const VertexId end = vertex(traffic.network, graph, "BC");
+  const std::vector<Traveller> due{
+      {.vehicle = VehicleId{40U}, .route = {vertex(traffic.network, graph, "AB"), end}, .waypoints = {end}}};
+  const std::vector<Millis> costs(graph.turns().arc_count(), 30'000);
+  const std::vector<ClassTraffic> classes{
+      {.graph = &graph, .free_flow = {}, .road_times = {}, .turn_costs = costs}};
+  std::vector<Decision> decisions;
+  strategy->decide(classes, due, decisions);
+  EXPECT_NEAR(to_seconds(decisions[0].old_cost), 62, 0.1);
+  EXPECT_NEAR(to_seconds(decisions[0].at_the_end), 10 / 2.0, 0.1);
 }
 
 }  // namespace
