@@ -176,17 +176,19 @@ std::vector<OptionSpec> project_options() {
 
 void warn_of_settings(const Settings& settings, std::span<const ArmSpec> arms) {
   constexpr std::string_view output = "device.rerouting.output";
-  const bool is_written = std::ranges::any_of(arms, [](const ArmSpec& arm) { return arm.has_device(); });
-  if (settings.find(output) && !is_written)
+  const auto no_arm_takes = [&](std::string_view name) {
+    return std::ranges::all_of(arms, [&](const ArmSpec& arm) { return is_of_other_device(name, arm); });
+  };
+  if (settings.find(output) && no_arm_takes(output))
     warn("device.rerouting.output is not written: only SUMO's own device has it (device, one-shot)");
-  const auto of_device = std::ranges::find_if(settings.all(), [&](const Setting& setting) {
-    return setting.name.starts_with("device.rerouting.") && setting.name != output;
-  });
-  if (of_device != settings.all().end())
+  for (const Setting& setting : settings.all()) {
+    if (setting.name == output || !no_arm_takes(setting.name)) continue;
     warn(
-        fmt::format("{} of the configuration does not count, as all device.rerouting.*: each arm has its own"
-                    " (SUMO's router with your settings is the arm device:KEY=VALUE)",
-                    of_device->name));
+        fmt::format("{} of the configuration does not count, as all device.rerouting.*: each arm has its own "
+                    "(SUMO's router with your settings is the arm device:KEY=VALUE)",
+                    setting.name));
+    break;
+  }
   for (const char* option : {"tripinfo-output", "statistic-output", "vehroute-output"}) {
     const auto file = settings.find(option);
     if (file && !file->empty() && !is_readable_output(*file))

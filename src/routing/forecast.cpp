@@ -221,10 +221,9 @@ class ForecastStrategy : public Strategy {
   /// The costs have the last road as it is driven by one that nobody is in the way of.
   void foretell_end(const RoadGraph& graph, const TimedCosts& costs, VertexId last,
                     Decision& decision) const {
-    const Millis cost = decision.change ? decision.new_cost : decision.old_cost;
-    if (cost >= infinity) return;
+    if (decision.cost() >= infinity) return;
     const Millis alone = crossing_of(graph, costs, last);
-    const Millis entry = *decision.entered + cost - alone;
+    const Millis entry = *decision.entered + decision.cost() - alone;
     const double ahead = std::max(0.0, to_seconds(entry - foresight_->forecast_at()));
     const double share = graph.turns().out(last).empty() ? 1 : foresight_->share_of_last_delay();
     const double delay = std::max(0.0, foresight_->expected().delay(graph.road(last), ahead));

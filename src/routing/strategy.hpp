@@ -44,6 +44,8 @@ struct Decision {
   std::vector<VertexId> route{};  ///< the best way found, from the same first road; empty: there is none
   Millis old_cost = 0;
   Millis new_cost = 0;  ///< of `route`
+  /// Of the way that was chosen.
+  [[nodiscard]] Millis cost() const { return change ? new_cost : old_cost; }
   /// When it entered route.front(), where the strategy knows better than Traveller::until_route.
   std::optional<Millis> entered{};
   /// What it is to meet on its last road beside that, in the way of the others there. The same on every way,

@@ -216,8 +216,8 @@ class Controller {
 
   /// When it arrives on the way that was chosen.
   [[nodiscard]] Millis predicted_arrival(const Traveller& traveller, const Decision& decision) const {
-    const Millis cost = decision.change ? decision.new_cost : decision.old_cost;
-    return add_saturating(arrival(traveller, decision, simulation_.now(), cost), decision.at_the_end);
+    return add_saturating(arrival(traveller, decision, simulation_.now(), decision.cost()),
+                          decision.at_the_end);
   }
 
   void predict(const Traveller& traveller, const Decision& decision) {

@@ -33,11 +33,6 @@ bool is_replaced(const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The device is as the arm has it; where it is at work, its weights may be written.
-bool is_of_other_device(const std::string& name, const ArmSpec& arm) {
-  return name.starts_with("device.rerouting.") && !(arm.has_device() && name == "device.rerouting.output");
-}
-
 /// Where the user's name for an output that we read is kept; else it has the name `file`.
 fs::path readable_output(Settings& run, OutputPlaces& places, std::string_view option,
                          std::string_view file) {
@@ -69,6 +64,10 @@ fs::path write_edge_data(const fs::path& folder) {
 }
 
 }  // namespace
+
+bool is_of_other_device(std::string_view name, const ArmSpec& arm) {
+  return name.starts_with("device.rerouting.") && !(arm.has_device() && name == "device.rerouting.output");
+}
 
 bool is_readable_output(std::string_view file) {
   const bool is_xml = file.ends_with(".xml") || file.ends_with(".xml.gz");

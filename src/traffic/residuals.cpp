@@ -34,8 +34,8 @@ void Residuals::Sums::add(double more, double seconds) {
 void Residuals::learn(const Servers& servers, const Level& level, const QueueTable& expected,
                       const MeasuredTimes& measured, double seconds, Millis now) {
   const double fading = std::exp(-seconds / options_.memory);
-  const double left_then = std::exp(-options_.lead / options_.fading);  // of a passing one
-  const double share = seconds / measured.window();                     // of the window that is new
+  const double left_then = passing_left(options_.lead);
+  const double share = seconds / measured.window();  // of the window that is new
   // What was measured stands for the middle of its window.
   const Millis comparable = now - from_seconds(options_.lead + measured.window() / 2);
   while (outlooks_.size() > 1 && outlooks_[1].made <= comparable) outlooks_.pop_front();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <deque>
 #include <vector>
 
@@ -44,7 +46,9 @@ class Residuals {
   /// s that one takes longer than foretold who enters the road `lead` from now or later; before, a share of
   /// it. 0 on internal roads.
   [[nodiscard]] double late(RoadId road) const { return late_[road]; }
-  [[nodiscard]] const ResidualOptions& options() const { return options_; }
+  /// Shares of these that count so many s ahead.
+  [[nodiscard]] double passing_left(double ahead) const { return std::exp(-ahead / options_.fading); }
+  [[nodiscard]] double late_share(double ahead) const { return std::min(1.0, ahead / options_.lead); }
 
  private:
   struct Sums {

@@ -26,8 +26,8 @@ void TimedCosts::refresh(const Expectation& expected, Millis now) {
   late_.resize(nodes_);
   for (std::size_t b = 0; b < nodes_; ++b) {
     const double ahead = static_cast<double>(b) * to_seconds(bin_);
-    fading_[b] = std::exp(-ahead / expected.residuals.options().fading);
-    late_[b] = std::min(1.0, ahead / expected.residuals.options().lead);
+    fading_[b] = expected.residuals.passing_left(ahead);
+    late_[b] = expected.residuals.late_share(ahead);
   }
   take_conditions(expected.conditions);
   for (std::size_t v = 0; v < graph_.turns().vertex_count(); ++v) refresh_vertex(expected, VertexId{v});

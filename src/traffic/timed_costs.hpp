@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "graph/road_graph.hpp"
@@ -26,10 +25,9 @@ struct Expectation {
   /// Above free flow, in s, of one that enters the road `ahead` s after the forecast and drives on at its
   /// end.
   [[nodiscard]] double delay(RoadId road, double ahead) const {
-    const ResidualOptions& fades = residuals.options();
     return level.extra(servers, road) + residuals.lasting(road) +
-           residuals.passing(road) * std::exp(-ahead / fades.fading) +
-           residuals.late(road) * std::min(1.0, ahead / fades.lead) +
+           residuals.passing(road) * residuals.passing_left(ahead) +
+           residuals.late(road) * residuals.late_share(ahead) +
            forecast.wait_after(road, ahead + servers.free_flow(road));
   }
 };

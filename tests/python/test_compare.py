@@ -160,7 +160,8 @@ class Outputs(support.TestCase):
         trips = support.write_routes(folder / "t.xml", support.random_trips(net, 20, 20))
         city = support.write(folder / "city.sumocfg", f"""<configuration><net-file value="{net}"/>
             <route-files value="{trips}"/><output-prefix value="TIME-"/><output-suffix value="_${{UTC}}"/>
-            <device.rerouting.output value="weights.xml"/><device.rerouting.period value="30"/><tripinfo-output value="t.csv"/></configuration>""")
+            <device.rerouting.output value="weights.xml"/><device.rerouting.period value="30"/>
+            <tripinfo-output value="t.csv"/></configuration>""")
         call = ("compare", "-c", city, "--seeds", 1)
         self.assertNotIn("rerouting.output", self.succeeds(*call, "-o", folder / "o", "--arms", "device,evolved").err)
         times = "20*-*-*-*-*-*"

@@ -74,10 +74,9 @@ TEST(Toll, IsWholeInMarginal) {
             by_c({.toll = 1, .least_gain = 15'000}));
 }
 
-//     A---B---C---D      30 s each, junctions 2 s. Forty stand at the end of BC for 80 s. Who is at its end
-//     in 62 s,
-//                        between 60 and 80, would wait there for 10 s to drive on; half of that if it ends
-//                        there.
+//     A---B---C---D      30 s each, junctions 2 s. Forty stand at the end of BC for 80 s.
+// Who is at its end in 62 s, between 60 and 80, would wait there for 10 s to drive on; half of that if it
+// ends there.
 TEST(Forecast, WhoEndsOnARoadIsInItsQueueForAShare) {
   Watched traffic(ascii_network("A---B---C---D"), 41);
   const RoadGraph graph(traffic.network, VehicleClass::passenger);

@@ -3,25 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include "support/queueing.hpp"
-#include "traffic/queue_forecast.hpp"
+#include "support/expecting.hpp"
 
 namespace thalweg::testing {
 namespace {
 
-//     A---B---C---D      30 s each, 2 s a vehicle
-class TimedCostsTest : public ::testing::Test {
+class TimedCostsTest : public Expecting {
  protected:
   [[nodiscard]] ArcId turn(const char* from) const {
     return graph.turns().out(vertex(net, graph, from)).front().id;
-  }
-  [[nodiscard]] Expectation expected(const Conditions& conditions) const {
-    return {.forecast = table,
-            .bookings = bookings,
-            .servers = servers,
-            .level = level,
-            .residuals = residuals,
-            .conditions = conditions};
   }
   /// Looks ahead from where they stand, and makes the costs of it.
   void refresh(const Driven& driven, const Conditions& conditions, Millis now = 0) {
@@ -29,16 +19,7 @@ class TimedCostsTest : public ::testing::Test {
     costs.refresh(expected(conditions), now);
   }
 
-  Network net = ascii_network("A---B---C---D");
   RoadGraph graph{net, VehicleClass::passenger};
-  Servers servers{net};
-  Level level{net};
-  Residuals residuals{net};
-  Discharge discharge{net, servers, crowd(30)};
-  QueueForecast queues{net, servers, discharge, {.repeated = 0}};
-  const QueueTable& table = queues.table();
-  Bookings bookings{net, table};
-  Conditions unchanged{net};
   TimedCosts costs{net, graph};
 };
 
