@@ -70,15 +70,15 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
   double at_left = wait(left);
   for (std::size_t b = 0; b < nodes_; ++b) {
     const double at_right = wait(++left);
-    delay_[b] =
+    const double delay =
         extra + at_left * (1 - share) + at_right * share + passing_here * fading_[b] + late_here * late_[b];
+    delay_[b] = std::min(delay, 100'000.0);
     at_left = at_right;
   }
   to_end_[v.value] = road_times_[road] + from_seconds(delay_[0]);
   for (const Arc& arc : out) {
-    std::int32_t* cost = costs_.data() + arc.id.value * nodes_;
     if (is_closed_[arc.id.value]) {
-      std::fill_n(cost, nodes_, static_cast<std::int32_t>(closed));
+      std::fill_n(costs_.data() + arc.id.value * nodes_, nodes_, static_cast<std::int32_t>(closed));
       least_[arc.id.value] = infinity;
       continue;
     }
@@ -88,15 +88,29 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
       passing += residuals.passing(internal);
       lasting += expected.level.extra(expected.servers, internal) + residuals.lasting(internal);
     }
-    const auto free_flow = static_cast<std::int32_t>(std::min<Millis>(free_flow_[arc.id.value], closed));
-    for (std::size_t b = 0; b < nodes_; ++b) {
-      const double delay = std::clamp(delay_[b] + lasting + passing * fading_[b], 0.0, 100'000.0);
-      cost[b] = free_flow + static_cast<std::int32_t>(delay * 1000);
-    }
-    const auto bin = static_cast<std::int32_t>(bin_);
-    for (std::size_t b = 1; b < nodes_; ++b) cost[b] = std::max(cost[b], cost[b - 1] - bin);
-    least_[arc.id.value] = *std::min_element(cost, cost + nodes_);
+    refresh_turn(arc.id, lasting, passing);
   }
+}
+
+void TimedCosts::refresh_turn(ArcId turn, double lasting, double passing) {
+  std::int32_t* const cost = costs_.data() + turn.value * nodes_;
+  const double* const delay = delay_.data();
+  const double* const fading = fading_.data();
+  const auto free_flow = static_cast<std::int32_t>(std::min<Millis>(free_flow_[turn.value], closed));
+  const std::size_t nodes = nodes_;
+  for (std::size_t b = 0; b < nodes; ++b) {  // several at once, since nothing in it branches
+    const auto later = static_cast<std::int32_t>((delay[b] + lasting + passing * fading[b]) * 1000);
+    cost[b] = free_flow + std::max(later, 0);
+  }
+  const auto bin = static_cast<std::int32_t>(bin_);
+  std::int32_t before = cost[0];
+  std::int32_t least = before;
+  for (std::size_t b = 1; b < nodes; ++b) {
+    before = std::max(cost[b], before - bin);
+    cost[b] = before;
+    least = std::min(least, before);
+  }
+  least_[turn.value] = least;
 }
 
 }  // namespace thalweg

@@ -67,6 +67,8 @@ class TimedCosts {
 
  private:
   void refresh_vertex(const Expectation& expected, VertexId v);
+  /// `lasting`, `passing`: s within the junction.
+  void refresh_turn(ArcId turn, double lasting, double passing);
   void take_conditions(const Conditions& conditions);
 
   const RoadGraph& graph_;

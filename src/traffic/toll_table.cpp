@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace thalweg {
 namespace {
@@ -31,11 +32,14 @@ void TollTable::add(RoadId road, float weight, const LaneQueue& lane) {
   count_waiting(lane);
   sum_arrivals(lane);
   std::size_t next = 0;
+  Flow flow;
+  double overflow = 0;
   for (std::size_t b = 0; b < bins_; ++b) {
     const double time = (static_cast<double>(b) + 0.5) * bin_;
     while (next < lane.passed.size() && lane.passed[next].arrived <= time) ++next;
-    const double most = std::max(of_queue(lane, next, time + static_cast<double>(lane.wait[b])),
-                                 of_overflow(lane.headway, b));
+    if (const Flow before = std::exchange(flow, flow_around(b)); flow != before)
+      overflow = of_overflow(lane.headway, flow.vehicles / (bin_ * static_cast<double>(flow.bins)));
+    const double most = std::max(of_queue(lane, next, time + static_cast<double>(lane.wait[b])), overflow);
     toll_[road.value * bins_ + b] += weight * static_cast<float>(most);
   }
 }
@@ -72,12 +76,15 @@ double TollTable::of_queue(const LaneQueue& lane, std::size_t next, double leave
   return holds_up ? lane.headway * std::max(1.0, waiting_[next]) : 0;
 }
 
-/// d(x) = T / 4 (x - 1 + sqrt((x - 1)^2 + 4 x h / T)), T the period, h the headway.
-double TollTable::of_overflow(double headway, std::size_t bin) const {
+TollTable::Flow TollTable::flow_around(std::size_t bin) const {
   const auto half = static_cast<std::size_t>(flow_period / bin_ / 2);
   const std::size_t from = bin > half ? bin - half : 0;
   const std::size_t to = std::min(bins_, bin + half + 1);
-  const double flow = (arrivals_[to] - arrivals_[from]) / (bin_ * static_cast<double>(to - from));
+  return {.vehicles = arrivals_[to] - arrivals_[from], .bins = to - from};
+}
+
+/// d(x) = T / 4 (x - 1 + sqrt((x - 1)^2 + 4 x h / T)), T the period, h the headway.
+double TollTable::of_overflow(double headway, double flow) {
   const double x = std::min(1.0, headway * flow);  // above capacity there is a queue, whose toll is known
   if (x <= 0) return 0;
   const double scatter = headway / flow_period;

@@ -50,10 +50,18 @@ class TollTable {
   void add_spillback(RoadId road, double headway, std::span<const float> delayed);
 
  private:
+  struct Flow {
+    double vehicles = 0;
+    std::size_t bins = 0;
+    bool operator==(const Flow&) const = default;
+  };
   void count_waiting(const LaneQueue& lane);
   void sum_arrivals(const LaneQueue& lane);
   [[nodiscard]] double of_queue(const LaneQueue& lane, std::size_t next, double leaves) const;
-  [[nodiscard]] double of_overflow(double headway, std::size_t bin) const;
+  /// What reaches the lane's end within the period around a bin.
+  [[nodiscard]] Flow flow_around(std::size_t bin) const;
+  /// `flow`: vehicles a second.
+  [[nodiscard]] static double of_overflow(double headway, double flow);
 
   double bin_;  ///< s
   std::size_t bins_;
