@@ -115,10 +115,28 @@ class ForecastStrategy : public Strategy {
     return from_seconds(manners_.toll * static_cast<double>(table.toll(road, bin)));
   }
 
+  /// When the traveller has made a turn, having entered the road before it at a time. One that waits for its
+  /// insertion does so in the line of its first turn: it may get on the road later than at `begin`.
+  [[nodiscard]] auto arrivals(const RoadGraph& graph, const TimedCosts& costs, const Traveller& traveller,
+                              Millis begin) const {
+    const VertexId front = traveller.route.front();
+    const bool has_lines = !traveller.departed && foresight_->has_lines(graph.road(front));
+    return [this, &graph, &costs, &traveller, begin, front, has_lines](ArcId turn, Millis time) {
+      const bool gets_on = has_lines && time == begin && graph.turns().ends(turn).tail == front;
+      return costs.arrive(turn, gets_on ? insertion(graph, traveller, graph.turns().ends(turn).head) : time);
+    };
+  }
+  [[nodiscard]] Millis insertion(const RoadGraph& graph, const Traveller& traveller, VertexId second) const {
+    const Millis wanted = std::max<Millis>(0, traveller.until_route);
+    return foresight_->now() + foresight_->insertion(traveller.vehicle, wanted,
+                                                     graph.road(traveller.route.front()), graph.road(second));
+  }
+
   /// Calls `enters(i, time)` for each road of the route but the last.
   template <class Enters>
-  Drive drive(const RoadGraph& graph, const TimedCosts& costs, std::span<const VertexId> route, Millis begin,
-              const Enters& enters) const {
+  Drive drive(const RoadGraph& graph, const TimedCosts& costs, const Traveller& traveller,
+              std::span<const VertexId> route, Millis begin, const Enters& enters) const {
+    const auto arrive = arrivals(graph, costs, traveller, begin);
     Drive result;
     Millis time = begin;
     for (std::size_t i = 0; i + 1 < route.size() && time < infinity; ++i) {
@@ -126,7 +144,7 @@ class ForecastStrategy : public Strategy {
       result.owed += toll(graph, costs, route[i], time);
       Millis next = infinity;
       for (const Arc& arc : graph.turns().out(route[i])) {
-        if (arc.end == route[i + 1]) next = std::min(next, costs.arrive(arc.id, time));
+        if (arc.end == route[i + 1]) next = std::min(next, arrive(arc.id, time));
       }
       time = next;
     }
@@ -137,14 +155,14 @@ class ForecastStrategy : public Strategy {
   /// The way leads through a closed road.
   static bool never(Millis begin, Millis arrival) { return arrival - begin >= TimedCosts::closed / 2; }
 
-  /// When it enters the first road of its route. One that is on it is as one that entered so much earlier as
-  /// leaves when it does.
+  /// When it enters the first road of its route, at the earliest where it waits for its insertion. One that
+  /// is on it is as one that entered so much earlier as leaves when it does.
   [[nodiscard]] Millis start(const RoadGraph& graph, const TimedCosts& costs,
                              const Traveller& traveller) const {
     const Millis now = foresight_->now();
     const Millis until_route = std::max<Millis>(0, traveller.until_route);
-    if (!traveller.departed) return now + foresight_->insertion(traveller.vehicle, until_route);
     const VertexId front = traveller.route.front();
+    if (!traveller.departed) return earliest_insertion(graph, traveller);
     if (const auto leaving = foresight_->leaving(traveller.vehicle)) {
       if (leaving->road == graph.road(front)) return start_in_queue(graph, costs, front, leaving->at);
       const Servers& servers = foresight_->expected().servers;
@@ -153,6 +171,14 @@ class ForecastStrategy : public Strategy {
     }
     return now + until_route -
            static_cast<Millis>(traveller.driven * static_cast<double>(crossing_of(graph, costs, front)));
+  }
+  [[nodiscard]] Millis earliest_insertion(const RoadGraph& graph, const Traveller& traveller) const {
+    Millis earliest =
+        insertion(graph, traveller, traveller.route[std::min<std::size_t>(1, traveller.route.size() - 1)]);
+    if (!foresight_->has_lines(graph.road(traveller.route.front()))) return earliest;
+    for (const Arc& turn : graph.turns().out(traveller.route.front()))
+      earliest = std::min(earliest, insertion(graph, traveller, turn.end));
+    return earliest;
   }
   /// The forecast says when it leaves, by its place in the queue. What the costs know of that road's end
   /// beside the forecast (residuals, bookings) counts by the share of the road that is still before it.
@@ -183,7 +209,8 @@ class ForecastStrategy : public Strategy {
     const TimedCosts& costs = *view.costs;
     const Millis begin = start(graph, costs, traveller);
     const Millis last = crossing_of(graph, costs, traveller.route.back());
-    const Drive old = drive(graph, costs, traveller.route, begin, [](std::size_t, Millis) {});
+    const Drive old = drive(graph, costs, traveller, traveller.route, begin, [](std::size_t, Millis) {});
+    const auto arrive = arrivals(graph, costs, traveller, begin);
     decision.entered = begin;
     decision.old_cost = old.arrival >= infinity ? infinity : old.arrival - begin + last;
     decision.new_cost = decision.old_cost;
@@ -201,8 +228,7 @@ class ForecastStrategy : public Strategy {
     for (const VertexId waypoint : traveller.waypoints) {
       view.potentials->start(worker.left, waypoint);
       const auto found = timed_search(
-          turns, at, best.arrival, best.owed, waypoint, limits,
-          [&](ArcId arc, Millis time) { return costs.arrive(arc, time); },
+          turns, at, best.arrival, best.owed, waypoint, limits, arrive,
           [&](VertexId road, Millis time) { return toll(graph, costs, road, time); },
           [&](VertexId v) { return view.potentials->left(worker.left, v); }, worker.search);
       if (!found || never(begin, found->arrival)) {
@@ -238,8 +264,8 @@ class ForecastStrategy : public Strategy {
       const RoadGraph& graph = *traffic[due[i].vehicle_class].graph;
       const TimedCosts& costs = *classes_[due[i].vehicle_class].costs;
       const Millis entered = *decisions[i].entered;
-      take_places(graph, costs, due[i].route, entered, -1);
-      take_places(graph, costs, decisions[i].route, entered, +1);
+      take_places(graph, costs, due[i], due[i].route, entered, -1);
+      take_places(graph, costs, due[i], decisions[i].route, entered, +1);
     }
     for (const RoadId road : foresight_->bookings().take_changed()) {
       for (ClassView& view : classes_) {
@@ -247,9 +273,9 @@ class ForecastStrategy : public Strategy {
       }
     }
   }
-  void take_places(const RoadGraph& graph, const TimedCosts& costs, std::span<const VertexId> route,
-                   Millis entered, double count) {
-    drive(graph, costs, route, entered, [&](std::size_t i, Millis time) {
+  void take_places(const RoadGraph& graph, const TimedCosts& costs, const Traveller& traveller,
+                   std::span<const VertexId> route, Millis entered, double count) {
+    drive(graph, costs, traveller, route, entered, [&](std::size_t i, Millis time) {
       foresight_->bookings().book(graph.road(route[i]), reaches_end(graph, costs, route[i], time), count);
     });
   }

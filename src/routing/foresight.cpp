@@ -47,8 +47,18 @@ bool Foresight::watch(const TrafficState& state) {
   return true;
 }
 
-Millis Foresight::insertion(VehicleId vehicle, Millis wanted) const {
-  return std::max(wanted, forecast_.insertion(vehicle) - (now_ - forecast_at_));
+Millis Foresight::insertion(VehicleId vehicle, Millis wanted, RoadId first, RoadId second) const {
+  const FleetVehicle& own = fleet_[vehicle];
+  const Millis since_forecast = now_ - forecast_at_;
+  const Millis as_it_is = std::max(wanted, forecast_.insertion(vehicle) - since_forecast);
+  const Insertions& insertions = discharge_.insertions();
+  if (insertions.has_one_line(first)) return as_it_is;
+  const LaneId line = insertions.line(first, second);
+  if (line == insertions.line(first, own.route.size() > 1 ? own.route[1] : RoadId{})) return as_it_is;
+  const auto seen = insertions.wait(line);
+  if (!seen) return as_it_is;
+  return std::max({wanted, own.depart + from_seconds(*seen) - now_,
+                   forecast_.insertion(line, own.depart - forecast_at_) - since_forecast});
 }
 
 std::optional<Foresight::Leaving> Foresight::leaving(VehicleId vehicle) const {

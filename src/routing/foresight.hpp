@@ -50,8 +50,12 @@ class Foresight {
   }
   /// Share of a road's delay that those meet who end their trip there.
   [[nodiscard]] double share_of_last_delay() const { return last_roads_.share(); }
-  /// From now until a vehicle that has not departed gets on its first road; it wants to in `wanted`.
-  [[nodiscard]] Millis insertion(VehicleId vehicle, Millis wanted) const;
+  /// From now until a vehicle that has not departed gets on its first road to drive on to the second; it
+  /// wants to in `wanted`. Another line than its own counts as faster only where those who got in there
+  /// lately have waited for less: it has no place there yet.
+  [[nodiscard]] Millis insertion(VehicleId vehicle, Millis wanted, RoadId first, RoadId second) const;
+  /// Whether it depends on the second one.
+  [[nodiscard]] bool has_lines(RoadId first) const { return !discharge_.insertions().has_one_line(first); }
   struct Leaving {
     RoadId road;
     Millis at;  ///< not before now

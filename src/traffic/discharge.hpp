@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "traffic/fleet.hpp"
+#include "traffic/insertions.hpp"
 #include "traffic/servers.hpp"
 
 namespace thalweg {
@@ -16,12 +17,15 @@ struct DischargeOptions {
   double most = 4;
   double towards_slower = 0.3;  ///< share of the way to what was seen
   double towards_faster = 0.5;
+  double most_giving_way = 15;  ///< the same of lanes from which one gives way
+  double towards_slower_giving_way = 0.6;
 };
 
 /// What the lanes really let through, learned while the run goes on: a factor on the headways of Servers for
-/// every lane, and a headway of insertion for every road.
+/// every lane; beside it how fast vehicles get on the roads.
 /// A lane whose queue never emptied has shown its capacity: factor = time / headways of those that left. One
-/// that let more pass than the model allows has shown that it can.
+/// that let more pass than the model allows has shown that it can. Where one gives way, the traffic that one
+/// gives way to may leave hardly a gap: there the lessons count for more and may say more.
 class Discharge {
  public:
   Discharge(const Network& network, const Servers& servers, const Demand& demand,
@@ -31,7 +35,7 @@ class Discharge {
   void observe(const Fleet& fleet, Millis now);
 
   [[nodiscard]] double factor(LaneId lane) const { return lanes_[lane].factor; }
-  [[nodiscard]] double insertion_headway(RoadId road) const { return roads_[road].headway; }  ///< s
+  [[nodiscard]] const Insertions& insertions() const { return insertions_; }
 
  private:
   struct LaneState {
@@ -39,13 +43,7 @@ class Discharge {
     double served = 0;  ///< s: headways of those that left since the last lesson
     int queue = 0;      ///< at this look
     int busy_looks = 0;
-  };
-  struct RoadState {
-    double usual_headway = 2;  ///< while nobody has waited yet
-    double headway = 2;
-    int waiting = 0;  ///< at this look
-    int busy_looks = 0;
-    int inserted = 0;
+    bool gives_way = false;  ///< on some turn
   };
   struct Last {
     std::size_t position = 0;
@@ -59,11 +57,10 @@ class Discharge {
 
   const Servers& servers_;
   DischargeOptions options_;
+  Insertions insertions_;
   IdVector<LaneId, LaneState> lanes_;
-  IdVector<RoadId, RoadState> roads_;
   IdVector<VehicleId, Last> last_;
   std::vector<LaneId> queued_;  ///< lanes with a queue at this look
-  std::vector<RoadId> wanted_;  ///< roads with waiting vehicles at this look
   int looks_ = 0;
   Millis last_lesson_ = -1;
 };

@@ -26,7 +26,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       occupancy_(network.roads.size()),
       held_up_(network.roads.size()),
       delayed_(network.roads.size()),
-      lines_(network.roads.size()),
+      lines_(network.lanes.size()),
       table_(network, options.bin, options.bins, options.tolls) {}
 
 void QueueForecast::observe(const Fleet& fleet, Millis now) {
@@ -55,11 +55,11 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   occupancy_.assign(occupancy_.size(), 0);
   for (auto& lanes : held_up_) lanes.clear();
   for (auto& times : delayed_) times.clear();
-  for (const RoadId road : lined_) lines_[road].clear();
+  for (const LaneId line : lined_) lines_[line].clear();
   lined_.clear();
   insertion_.assign(fleet.size(), 0);
   leaving_.assign(fleet.size(), {});
-  for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], to_seconds(now));
+  for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], now);
   assume_departures(fleet, now);
   // A calendar and not a heap: what is a tenth of a second apart may be in any order, so long as it is always
   // the same one. Events of this tick may be found out while it is at hand.
@@ -76,14 +76,11 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   table_.tabulate(servers_, discharge_, passed_, delayed_);
 }
 
-void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, double now) {
+void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, Millis now) {
   if (vehicle.route.empty()) return;
   if (vehicle.state == FleetVehicle::State::waiting) {
     insertion_[id] = from_seconds(horizon_);  // unless its turn comes
-    Mover mover = on(vehicle.route);
-    mover.vehicle = id;
-    add(mover, std::max(0.0, to_seconds(vehicle.depart) - now), Kind::departs);
-    return;
+    return add_departure(vehicle.route, to_seconds(vehicle.depart - now), id);
   }
   if (vehicle.is_lost || !vehicle.lane.valid()) return;
   std::size_t position = vehicle.position;
@@ -116,7 +113,7 @@ void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
   auto next = std::upper_bound(expected_.begin(), expected_.end(), known_until,
                                [](Millis time, const Departure& departure) { return time < departure.time; });
   for (; next != expected_.end() && to_seconds(next->time - now) <= horizon_; ++next)
-    add(on(next->route), to_seconds(next->time - now), Kind::departs);
+    add_departure(next->route, to_seconds(next->time - now));
 }
 
 void QueueForecast::repeat_departures(const Fleet& fleet, Millis known_until, Millis now) {
@@ -124,7 +121,7 @@ void QueueForecast::repeat_departures(const Fleet& fleet, Millis known_until, Mi
     if (departure <= known_until - options_.repeated || departure > known_until) return;
     for (Millis time = departure + options_.repeated; to_seconds(time - now) <= horizon_;
          time += options_.repeated) {
-      if (time > known_until) add(on(route), to_seconds(time - now), Kind::departs);
+      if (time > known_until) add_departure(route, to_seconds(time - now));
     }
   };
   for (const Departure& departure : recent_) repeat(departure.time, departure.route);
@@ -132,6 +129,13 @@ void QueueForecast::repeat_departures(const Fleet& fleet, Millis known_until, Mi
     const FleetVehicle& own = fleet[vehicle];
     if (own.depart > now && own.route.size() >= 2) repeat(own.depart, own.route);
   }
+}
+
+void QueueForecast::add_departure(const std::vector<RoadId>& route, double wanted, VehicleId vehicle) {
+  Mover mover = on(route);
+  mover.vehicle = vehicle;
+  mover.wanted = static_cast<float>(wanted);
+  add(mover, std::max(0.0, wanted), Kind::departs);
 }
 
 void QueueForecast::add(const Mover& mover, double time, Kind kind) {
@@ -142,7 +146,7 @@ void QueueForecast::add(const Mover& mover, double time, Kind kind) {
 
 void QueueForecast::push(double time, Kind kind, std::uint32_t subject) {
   if (time > horizon_) return;
-  Tick& tick = ticks_[std::max(tick_, static_cast<std::size_t>(std::max(0.0, time * ticks_a_second)))];
+  Tick& tick = ticks_[std::max(tick_, tick_of(time))];
   std::uint32_t event = free_;
   if (event == none) {
     event = static_cast<std::uint32_t>(events_.size());
@@ -181,45 +185,65 @@ void QueueForecast::handle(const Event& event) {
     case Kind::reaches_end:
       return reach_end(event);
     case Kind::leaves:
-      return leave(event);
+      return leave(LaneId{event.subject}, event.time);
     case Kind::forces_its_way:
       return force_its_way(event);
   }
 }
 
 void QueueForecast::depart(const Event& event) {
-  const RoadId road = *movers_[event.subject].road;
-  Line& line = lines_[road];
-  if (line.movers.empty()) lined_.push_back(road);
-  line.movers.push_back(event.subject);
-  const bool is_first = line.head + 1 == line.movers.size();
-  if (is_first) push(std::max(event.time, line.free_at), Kind::enters, road.value);
+  const Mover& mover = movers_[event.subject];
+  const LaneId id =
+      discharge_.insertions().line(*mover.road, mover.road == mover.last ? RoadId{} : mover.road[1]);
+  Line& line = lines_[id];
+  if (line.vehicles.empty()) lined_.push_back(id);
+  line.vehicles.push_back({.mover = event.subject, .wanted = mover.wanted, .entered = still_there});
+  const bool is_first = line.head + 1 == line.vehicles.size();
+  if (is_first) push(std::max(event.time, line.free_at), Kind::enters, id.value);
 }
 
 void QueueForecast::enter(const Event& event) {
-  const RoadId road{event.subject};
+  const LaneId id{event.subject};
+  Line& line = lines_[id];
+  Waiting& first = line.vehicles[line.head];
+  Mover& mover = movers_[first.mover];
+  const RoadId road = *mover.road;
   if (occupancy_[road] >= servers_.storage(road) * options_.full)
-    return push(event.time + options_.insertion_retry, Kind::enters, road.value);
-  Line& line = lines_[road];
-  const std::uint32_t first = line.movers[line.head++];
-  Mover& mover = movers_[first];
+    return push(event.time + options_.insertion_retry, Kind::enters, id.value);
+  ++line.head;
   ++occupancy_[road];
+  first.entered = static_cast<float>(event.time);
   if (mover.vehicle.valid()) insertion_[mover.vehicle] = from_seconds(event.time);
   mover.vehicle = {};
-  push(event.time + crossing(road), Kind::reaches_end, first);
-  line.free_at = event.time + discharge_.insertion_headway(road);
-  if (line.head < line.movers.size()) push(line.free_at, Kind::enters, road.value);
+  push(event.time + crossing(road), Kind::reaches_end, first.mover);
+  line.free_at = event.time + discharge_.insertions().headway(id);
+  if (line.head < line.vehicles.size()) push(line.free_at, Kind::enters, id.value);
 }
 
 void QueueForecast::estimate_later_insertions() {
-  for (const RoadId road : lined_) {
-    const Line& line = lines_[road];
+  for (const LaneId id : lined_) {
+    Line& line = lines_[id];
     double time = std::max(horizon_, line.free_at);
-    for (std::size_t i = line.head; i < line.movers.size(); ++i, time += discharge_.insertion_headway(road)) {
-      const VehicleId vehicle = movers_[line.movers[i]].vehicle;
+    for (std::size_t i = line.head; i < line.vehicles.size();
+         ++i, time += discharge_.insertions().headway(id)) {
+      line.vehicles[i].entered = static_cast<float>(time);
+      const VehicleId vehicle = movers_[line.vehicles[i].mover].vehicle;
       if (vehicle.valid()) insertion_[vehicle] = from_seconds(time);
     }
   }
+}
+
+Millis QueueForecast::insertion(LaneId line, Millis wanted) const {
+  const std::vector<Waiting>& others = lines_[line].vehicles;
+  const double own = to_seconds(wanted);
+  const auto behind = std::upper_bound(
+      others.begin(), others.end(), own,
+      [](double time, const Waiting& one) { return time < static_cast<double>(one.wanted); });
+  double time = std::max(0.0, own);
+  if (behind != others.begin())
+    time = std::max(time,
+                    static_cast<double>(std::prev(behind)->entered) + discharge_.insertions().headway(line));
+  return from_seconds(time);
 }
 
 void QueueForecast::reach_end(const Event& event) {
@@ -253,47 +277,50 @@ void QueueForecast::schedule_head(LaneId lane) {
   Queue& queue = queues_[lane];
   const Passed& first = passed_[lane][queue.head];
   const double ready = first.arrived + servers_[first.movement].delay;
-  push(std::max(ready, queue.free_at), Kind::leaves, lane.value);
+  const double time = std::max(ready, queue.free_at);
   queue.is_active = true;
+  if (tick_of(time) <= tick_)
+    leave(lane, time);
+  else
+    push(time, Kind::leaves, lane.value);
 }
 
-void QueueForecast::leave(const Event& event) {
-  const LaneId lane{event.subject};
+void QueueForecast::leave(LaneId lane, double time) {
   Queue& queue = queues_[lane];
   Passed& passed = passed_[lane][queue.head];
   Mover& mover = movers_[passed.mover];
   const Movement& movement = servers_[passed.movement];
   const RoadId next = movement.to;
-  if (!has_room(next) && !is_out_of_patience(queue, event.time)) {  // the queue ahead has come back to here
+  if (!has_room(next) && !is_out_of_patience(queue, time)) {  // the queue ahead has come back to here
     if (queue.blocked_since < 0) {
-      queue.blocked_since = event.time;
-      push(event.time + options_.blocked_patience, Kind::forces_its_way, lane.value);
+      queue.blocked_since = time;
+      push(time + options_.blocked_patience, Kind::forces_its_way, lane.value);
     }
     held_up_[next].push_back(lane);
     queue.held_by = next;
-    queue.held_at = event.time;
+    queue.held_at = time;
     return;
   }
   if (queue.held_by.valid() && queue.held_by != next && passed.arrived <= queue.held_at)
-    delayed_[queue.held_by].push_back(static_cast<float>(event.time));  // had no wish to get on that road
+    delayed_[queue.held_by].push_back(static_cast<float>(time));  // had no wish to get on that road
   queue.blocked_since = -1;
-  if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
+  if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(time);
   mover.vehicle = {};
-  passed.left = static_cast<float>(event.time);
+  passed.left = static_cast<float>(time);
   ++queue.head;
   queue.is_active = false;
-  queue.free_at = event.time + movement.headway * discharge_.factor(lane);
+  queue.free_at = time + movement.headway * discharge_.factor(lane);
   ++occupancy_[next];
   ++mover.road;
-  push(event.time + junction_pace_ * movement.through + crossing(next), Kind::reaches_end, passed.mover);
+  push(time + junction_pace_ * movement.through + crossing(next), Kind::reaches_end, passed.mover);
   if (queue.head < passed_[lane].size()) schedule_head(lane);
-  give_up_place(movement.from, event.time);
+  give_up_place(movement.from, time);
 }
 
 void QueueForecast::force_its_way(const Event& event) {
   const LaneId lane{event.subject};
   if (!is_out_of_patience(queues_[lane], event.time)) return;  // another waits there now
-  if (std::erase(held_up_[movement_of_first(lane).to], lane) > 0) leave(event);
+  if (std::erase(held_up_[movement_of_first(lane).to], lane) > 0) leave(lane, event.time);
 }
 
 void QueueForecast::give_up_place(RoadId road, double time) {

@@ -51,6 +51,8 @@ class QueueForecast {
   /// When a vehicle that waited at the last run gets on its first road, from then on; 0 when it was not
   /// there. Beyond the horizon by its place in the line.
   [[nodiscard]] Millis insertion(VehicleId vehicle) const { return insertion_[vehicle]; }
+  /// When one would that stood in this line, having wanted to depart at `wanted`, both from the last run on.
+  [[nodiscard]] Millis insertion(LaneId line, Millis wanted) const;
 
   struct Leaving {
     RoadId road{};    ///< it was there at the last run, or about to enter; invalid: it was on none
@@ -67,6 +69,7 @@ class QueueForecast {
     const RoadId* last;  ///< the route's last road
     LaneId preferred{};
     VehicleId vehicle{};  ///< a real one, until it is inserted or leaves the road it was on
+    float wanted = 0;     ///< s from now: its departure
   };
   static constexpr double long_ago = -1e9;  ///< s from now
   /// Of a lane; the vehicles in it and those that left it are its `passed_`.
@@ -78,13 +81,18 @@ class QueueForecast {
     double held_at = long_ago;  ///< s from now: when he looked for it
     bool is_active = false;
   };
-  /// Of those who want to get on a road, in the order of their departures.
+  struct Waiting {
+    std::uint32_t mover;
+    float wanted;   ///< s from now: its departure
+    float entered;  ///< s from now; infinity: not yet
+  };
+  /// Of those who want to get on a road, in the order of their departures; those also who got in.
   struct Line {
-    std::vector<std::uint32_t> movers;
+    std::vector<Waiting> vehicles;
     std::size_t head = 0;       ///< the first that still waits
     double free_at = long_ago;  ///< s from now: it may enter, where there is room
     void clear() {              // keeps the storage
-      movers.clear();
+      vehicles.clear();
       head = 0;
       free_at = long_ago;
     }
@@ -94,7 +102,7 @@ class QueueForecast {
   enum class Kind : std::uint8_t { reaches_end, leaves, forces_its_way, departs, enters };
   struct Event {
     double time;            ///< s from now
-    std::uint32_t subject;  ///< a mover; the lane for `leaves` and `forces_its_way`, the road for `enters`
+    std::uint32_t subject;  ///< a mover; the lane for `leaves` and `forces_its_way`, the line for `enters`
     std::uint32_t next;     ///< in the same tick
     Kind kind;
   };
@@ -108,7 +116,9 @@ class QueueForecast {
   static Mover on(const std::vector<RoadId>& route, std::size_t position = 0) {
     return {.road = &route[position], .last = &route.back()};
   }
-  void place(VehicleId id, const FleetVehicle& vehicle, double now);
+  void place(VehicleId id, const FleetVehicle& vehicle, Millis now);
+  /// `wanted`: s from now, the past for one that waits already.
+  void add_departure(const std::vector<RoadId>& route, double wanted, VehicleId vehicle = {});
   void assume_departures(const Fleet& fleet, Millis now);
   void repeat_departures(const Fleet& fleet, Millis known_until, Millis now);
   void add(const Mover& mover, double time, Kind kind);
@@ -121,7 +131,7 @@ class QueueForecast {
   void enter(const Event& event);
   void estimate_later_insertions();
   void reach_end(const Event& event);
-  void leave(const Event& event);
+  void leave(LaneId lane, double time);
   void force_its_way(const Event& event);
   [[nodiscard]] bool has_room(RoadId road) const { return occupancy_[road] < servers_.storage(road); }
   [[nodiscard]] const Movement& movement_of_first(LaneId lane) const {
@@ -133,7 +143,11 @@ class QueueForecast {
   /// One has left the road: somebody may follow, when the gap has moved back to him (a jam spreads at some
   /// 5 m/s, 7.5 m a vehicle).
   void give_up_place(RoadId road, double time);
+  /// The first in the lane leaves in this tick, without an event (more than half of all do), or later.
   void schedule_head(LaneId lane);
+  static std::size_t tick_of(double time) {
+    return static_cast<std::size_t>(std::max(0.0, time * ticks_a_second));
+  }
   void push(double time, Kind kind, std::uint32_t subject);
 
   const Network& network_;
@@ -159,8 +173,8 @@ class QueueForecast {
   IdVector<RoadId, int> occupancy_;
   IdVector<RoadId, std::vector<LaneId>> held_up_;  ///< lanes whose first waits for room on the road
   IdVector<RoadId, std::vector<float>> delayed_;  ///< s from now: when others who waited behind these went on
-  IdVector<RoadId, Line> lines_;
-  std::vector<RoadId> lined_;  ///< lines that are not as new
+  IdVector<LaneId, Line> lines_;
+  std::vector<LaneId> lined_;  ///< lines that are not as new
   IdVector<VehicleId, Millis> insertion_;
   IdVector<VehicleId, Leaving> leaving_;
   QueueTable table_;

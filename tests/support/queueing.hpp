@@ -4,12 +4,32 @@
 #include <string>
 #include <vector>
 
+#include "network/read_network.hpp"
 #include "support/ascii_network.hpp"
 #include "traffic/discharge.hpp"
 #include "traffic/fleet.hpp"
 #include "traffic/servers.hpp"
 
 namespace thalweg::testing {
+
+///     A ==3 lanes==> B --> C     from the two at the kerb
+///                    B --> E     from the first as well
+///                    B --> D     from the third, which leads nowhere else
+inline Network with_left_lane() {
+  return parse_network(R"(<net>
+  <edge id="AB" from="A" to="B"><lane id="AB_0" index="0" length="300" speed="10"/>
+    <lane id="AB_1" index="1" length="300" speed="10"/><lane id="AB_2" index="2" length="300" speed="10"/></edge>
+  <edge id="BC" from="B" to="C"><lane id="BC_0" index="0" length="300" speed="10"/></edge>
+  <edge id="BD" from="B" to="D"><lane id="BD_0" index="0" length="300" speed="10"/></edge>
+  <edge id="BE" from="B" to="E"><lane id="BE_0" index="0" length="300" speed="10"/></edge>
+  <junction id="A" x="0" y="0"/><junction id="B" x="0" y="0"/><junction id="C" x="0" y="0"/>
+  <junction id="D" x="0" y="0"/><junction id="E" x="0" y="0"/>
+  <connection from="AB" to="BE" fromLane="0" toLane="0" dir="r" state="M"/>
+  <connection from="AB" to="BC" fromLane="0" toLane="0" dir="s" state="M"/>
+  <connection from="AB" to="BC" fromLane="1" toLane="0" dir="s" state="M"/>
+  <connection from="AB" to="BD" fromLane="2" toLane="0" dir="l" state="M"/>
+</net>)");
+}
 
 /// A demand of `count` vehicles v0, v1 .. that depart at 0.
 inline Demand crowd(std::size_t count) {

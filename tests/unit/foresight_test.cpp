@@ -43,5 +43,27 @@ TEST_F(ForesightTest, SaysNothingOfARoadThatIsBehind) {
   EXPECT_EQ(foresight->leaving(VehicleId{1U})->at, 12'000);
 }
 
+// Twenty wait to go straight on, and none of them gets on AB. The left turn takes as long, until two were
+// seen to get in for it after 10 and 20 s.
+TEST(ForesightOfInsertions, CountsOnAnotherLineWhenItWasSeenToBeFaster) {
+  Watched traffic(with_left_lane(), 22);
+  const auto road_of = [&](const char* id) { return road(traffic.network, id); };
+  for (std::size_t i = 0; i < 20; ++i) traffic.driven.load(i, "ABC");
+  const TrafficState first = traffic.look({}, 0);
+  Foresight foresight(first);
+  foresight.watch(first);
+  const auto wait = [&](const char* second) {
+    return foresight.insertion(VehicleId{19U}, 0, road_of("AB"), road_of(second));
+  };
+  EXPECT_EQ(wait("BC"), 19'000);
+  EXPECT_EQ(wait("BE"), 19'000) << "the same line";
+  EXPECT_EQ(wait("BD"), 19'000) << "nobody knows";
+  for (std::size_t i = 20; i < 22; ++i) traffic.driven.load(i, "ABD");
+  foresight.watch(traffic.look({{.vehicle = 20, .road = "AB"}}, 10'000));
+  foresight.watch(traffic.look({{.vehicle = 20, .road = "AB"}, {.vehicle = 21, .road = "AB"}}, 20'000));
+  EXPECT_EQ(wait("BC"), 19'000) << "by the new forecast";
+  EXPECT_EQ(wait("BD"), 0) << "it has waited for longer than those";
+}
+
 }  // namespace
 }  // namespace thalweg::testing

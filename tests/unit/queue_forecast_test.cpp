@@ -189,6 +189,35 @@ TEST_F(Queues, WhoWaitsIsInsertedInTurn) {
   for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(forecast.insertion(VehicleId{i}), expected[i]) << i;
 }
 
+// Three that want to go straight on stand in one line, and one that turns left beside them.
+TEST_F(Queues, WhoHasALaneForHisTurnWaitsForNobodyElse) {
+  const Network junction = with_left_lane();
+  const Servers lanes(junction);
+  Driven driven(junction, 4);
+  for (std::size_t i = 0; i < 3; ++i) driven.load(i, i == 1 ? "ABE" : "ABC");
+  driven.load(3, "ABD");
+  const Discharge discharge(junction, lanes, driven.demand);
+  QueueForecast forecast(junction, lanes, discharge, nobody_assumed);
+  forecast.run(driven.fleet, Level(junction), 0);
+  for (const auto& [vehicle, after] : {std::pair{0, 0}, {1, 1'000}, {2, 2'000}, {3, 0}})
+    EXPECT_EQ(forecast.insertion(VehicleId{static_cast<std::size_t>(vehicle)}), after) << vehicle;
+}
+
+// Three wanted to depart at 0, 10 and 20 s and still wait at 30 s: who wanted to at 15 s comes before the
+// third.
+TEST_F(Queues, WhoWouldChangeTheLineComesByItsDeparture) {
+  Driven driven(net, 3);
+  const Discharge discharge(net, servers, driven.demand);
+  QueueForecast forecast(net, servers, discharge, nobody_assumed);
+  for (std::size_t i = 0; i < 3; ++i) driven.load(i, "ABCD", static_cast<Millis>(i) * 10'000);
+  forecast.run(driven.fleet, Level(net), 30'000);
+  const LaneId line = discharge.insertions().line(road(net, "AB"), road(net, "BC"));
+  EXPECT_EQ(forecast.insertion(line, -40'000), 0);
+  EXPECT_EQ(forecast.insertion(line, -15'000), 4'000);
+  EXPECT_EQ(forecast.insertion(line, 0), 6'000);
+  EXPECT_EQ(forecast.insertion(line, 50'000), 50'000);
+}
+
 // A vehicle in 2 s gets on AB: 600 within the horizon of 1200 s, the others later, each by its place.
 TEST_F(Queues, WhoWaitsBeyondTheHorizonKnowsItsPlaceInTheLine) {
   Driven driven(net, 1000);
