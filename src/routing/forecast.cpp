@@ -251,9 +251,10 @@ class ForecastStrategy : public Strategy {
     const Millis alone = crossing_of(graph, costs, last);
     const Millis entry = *decision.entered + decision.cost() - alone;
     const double ahead = std::max(0.0, to_seconds(entry - foresight_->forecast_at()));
-    const double share = graph.turns().out(last).empty() ? 1 : foresight_->share_of_last_delay();
-    const double delay = std::max(0.0, foresight_->expected().delay(graph.road(last), ahead));
-    decision.at_the_end = costs.road_time(graph.road(last)) + from_seconds(share * delay) - alone;
+    const RoadId road = graph.road(last);
+    const double delay = std::max(0.0, foresight_->expected().delay(road, ahead));
+    decision.at_the_end =
+        costs.crossing(road) - alone + from_seconds(foresight_->share_of_last_delay(road) * delay);
   }
 
   /// Moves the places of those who changed their ways.

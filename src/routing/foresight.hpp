@@ -48,8 +48,10 @@ class Foresight {
   [[nodiscard]] Millis driven(Millis free_flow) const {
     return static_cast<Millis>(level_.pace() * static_cast<double>(free_flow));
   }
-  /// Share of a road's delay that those meet who end their trip there.
-  [[nodiscard]] double share_of_last_delay() const { return last_roads_.share(); }
+  /// Share of a road's delay that those meet who end their trip there; all of it where nobody drives on.
+  [[nodiscard]] double share_of_last_delay(RoadId road) const {
+    return servers_.leads_on(road) ? last_roads_.share() : 1;
+  }
   /// From now until a vehicle that has not departed gets on its first road to drive on to the second; it
   /// wants to in `wanted`. Another line than its own counts as faster only where those who got in there
   /// lately have waited for less: it has no place there yet.

@@ -29,7 +29,7 @@ void LastRoads::observe(const Fleet& fleet, const Expectation& expected, Millis 
                              own.position > 0 && own.position + 1 == own.route.size();
     if (!has_entered || stays_[vehicle].since >= 0) continue;
     const RoadId road = own.route.back();
-    if (expected.servers.first_of(road) == expected.servers.last_of(road)) continue;  // nobody drives on
+    if (!expected.servers.leads_on(road)) continue;
     stays_[vehicle] = {.since = now,
                        .crossing = expected.servers.free_flow(road),
                        .delay = std::max(0.0, expected.delay(road, 0))};

@@ -54,6 +54,7 @@ class Servers {
   /// The movements that leave a road; ids in a row.
   [[nodiscard]] std::size_t first_of(RoadId road) const { return first_[road.value]; }
   [[nodiscard]] std::size_t last_of(RoadId road) const { return first_[road.value + 1]; }
+  [[nodiscard]] bool leads_on(RoadId road) const { return first_of(road) != last_of(road); }
   [[nodiscard]] std::span<const LaneId> lanes(MovementId movement) const {
     return {lanes_.data() + lane_first_[movement.value], lanes_.data() + lane_first_[movement.value + 1]};
   }

@@ -62,8 +62,12 @@ class TimedCosts {
   [[nodiscard]] const std::vector<Millis>& least() const { return least_; }
   /// From entering the road at the forecast's moment to its end; the turns there come on top.
   [[nodiscard]] Millis to_end(VertexId road) const { return to_end_[road.value]; }
-  /// To cross the road itself.
+  /// To cross the road itself, as its limit is in the net.
   [[nodiscard]] Millis road_time(RoadId road) const { return road_times_[road]; }
+  /// The same as its limit is now.
+  [[nodiscard]] Millis crossing(RoadId road) const {
+    return road_times_[road] + from_seconds(slower_[road.value]);
+  }
 
  private:
   void refresh_vertex(const Expectation& expected, VertexId v);

@@ -9,10 +9,13 @@
 
 namespace thalweg::testing {
 
-/// What a strategy that looks ahead is shown at every look: a fleet on open roads of which nothing has been
-/// measured, without signals.
+/// What a strategy that looks ahead is shown at every look: a fleet on roads of which nothing has been
+/// measured, without signals, open but for what is changed from the begin on.
 struct Watched {
-  Watched(Network net, std::size_t vehicles) : network(std::move(net)), driven(network, vehicles) {}
+  Watched(Network net, std::size_t vehicles, std::vector<LaneChange> changes = {})
+      : network(std::move(net)), driven(network, vehicles), conditions(network, std::move(changes)) {
+    conditions.advance(0);
+  }
   Watched(const Watched&) = delete;  // its parts refer to each other
   Watched& operator=(const Watched&) = delete;
 
@@ -33,7 +36,7 @@ struct Watched {
   Network network;
   Driven driven;
   MeasuredTimes measured{network, 180'000, 3'000};
-  Conditions conditions{network};
+  Conditions conditions;
   IdVector<SignalId, SignalProgramme> programmes;
 };
 

@@ -74,14 +74,15 @@ TEST(Toll, IsWholeInMarginal) {
             by_c({.toll = 1, .least_gain = 15'000}));
 }
 
-//     A---B---C---D      30 s each, junctions 2 s. Forty stand at the end of BC for 80 s.
-// Who is at its end in 62 s, between 60 and 80, would wait there for 10 s to drive on; half of that if it
-// ends there.
-TEST(Forecast, WhoEndsOnARoadIsInItsQueueForAShare) {
-  Watched traffic(ascii_network("A---B---C---D"), 41);
+//     A---B---C---D      30 s each, junctions 2 s. Forty stand at the end of BC for 80 s, or nobody; one
+//                        that enters AB ends at C.
+Decision ends_at_c(std::size_t queue, double limit = 10) {
+  Network net = ascii_network("A---B---C---D");
+  const LaneId bc = net.roads[road(net, "BC")].first_lane;
+  Watched traffic(std::move(net), 41, {{.lane = bc, .speed = limit}});
   const RoadGraph graph(traffic.network, VehicleClass::passenger);
   std::vector<Driven::At> places;
-  for (std::size_t i = 0; i < 40; ++i) {
+  for (std::size_t i = 0; i < queue; ++i) {
     traffic.driven.load(i, "BCD");
     places.push_back({.vehicle = i, .road = "BC", .metres = 299});
   }
@@ -97,8 +98,20 @@ TEST(Forecast, WhoEndsOnARoadIsInItsQueueForAShare) {
       {.graph = &graph, .free_flow = {}, .road_times = {}, .turn_costs = costs}};
   std::vector<Decision> decisions;
   strategy->decide(classes, due, decisions);
-  EXPECT_NEAR(to_seconds(decisions[0].old_cost), 62, 0.1);
-  EXPECT_NEAR(to_seconds(decisions[0].at_the_end), 10 / 2.0, 0.1);
+  return decisions[0];
+}
+
+// Who is at its end in 62 s, between 60 and 80, would wait there for 10 s to drive on; half of that if it
+// ends there.
+TEST(Forecast, WhoEndsOnARoadIsInItsQueueForAShare) {
+  const Decision decision = ends_at_c(40);
+  EXPECT_NEAR(to_seconds(decision.old_cost), 62, 0.1);
+  EXPECT_NEAR(to_seconds(decision.at_the_end), 10 / 2.0, 0.1);
+}
+
+TEST(Forecast, WhoEndsOnARoadThatASignSlowsIsSlowThere) {
+  EXPECT_NEAR(to_seconds(ends_at_c(0).at_the_end), 0, 0.1);
+  EXPECT_NEAR(to_seconds(ends_at_c(0, 5).at_the_end), 30, 0.1);
 }
 
 }  // namespace
