@@ -72,7 +72,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
       events_[done].next = std::exchange(free_, done);
     }
   }
-  estimate_later_insertions();
+  let_in_after_horizon();
   table_.tabulate(servers_, discharge_, passed_, delayed_);
 }
 
@@ -195,55 +195,42 @@ void QueueForecast::depart(const Event& event) {
   const Mover& mover = movers_[event.subject];
   const LaneId id =
       discharge_.insertions().line(*mover.road, mover.road == mover.last ? RoadId{} : mover.road[1]);
-  Line& line = lines_[id];
-  if (line.vehicles.empty()) lined_.push_back(id);
-  line.vehicles.push_back({.mover = event.subject, .wanted = mover.wanted, .entered = still_there});
-  const bool is_first = line.head + 1 == line.vehicles.size();
-  if (is_first) push(std::max(event.time, line.free_at), Kind::enters, id.value);
+  WaitingLine& line = lines_[id];
+  if (line.vehicles().empty()) lined_.push_back(id);
+  line.join(event.subject, mover.wanted);
+  if (line.waiting().size() == 1) push(std::max(event.time, line.free_at()), Kind::enters, id.value);
 }
 
 void QueueForecast::enter(const Event& event) {
   const LaneId id{event.subject};
-  Line& line = lines_[id];
-  Waiting& first = line.vehicles[line.head];
-  Mover& mover = movers_[first.mover];
+  WaitingLine& line = lines_[id];
+  const std::uint32_t first = line.waiting().front().mover;
+  Mover& mover = movers_[first];
   const RoadId road = *mover.road;
   if (occupancy_[road] >= servers_.storage(road) * options_.full)
     return push(event.time + options_.insertion_retry, Kind::enters, id.value);
-  ++line.head;
   ++occupancy_[road];
-  first.entered = static_cast<float>(event.time);
+  line.let_in_first(event.time, discharge_.insertions().headway(id));
   if (mover.vehicle.valid()) insertion_[mover.vehicle] = from_seconds(event.time);
   mover.vehicle = {};
-  push(event.time + crossing(road), Kind::reaches_end, first.mover);
-  line.free_at = event.time + discharge_.insertions().headway(id);
-  if (line.head < line.vehicles.size()) push(line.free_at, Kind::enters, id.value);
+  push(event.time + crossing(road), Kind::reaches_end, first);
+  if (!line.waiting().empty()) push(line.free_at(), Kind::enters, id.value);
 }
 
-void QueueForecast::estimate_later_insertions() {
+void QueueForecast::let_in_after_horizon() {
   for (const LaneId id : lined_) {
-    Line& line = lines_[id];
-    double time = std::max(horizon_, line.free_at);
-    for (std::size_t i = line.head; i < line.vehicles.size();
-         ++i, time += discharge_.insertions().headway(id)) {
-      line.vehicles[i].entered = static_cast<float>(time);
-      const VehicleId vehicle = movers_[line.vehicles[i].mover].vehicle;
+    WaitingLine& line = lines_[id];
+    while (!line.waiting().empty()) {
+      const VehicleId vehicle = movers_[line.waiting().front().mover].vehicle;
+      const double time = std::max(horizon_, line.free_at());
+      line.let_in_first(time, discharge_.insertions().headway(id));
       if (vehicle.valid()) insertion_[vehicle] = from_seconds(time);
     }
   }
 }
 
 Millis QueueForecast::insertion(LaneId line, Millis wanted) const {
-  const std::vector<Waiting>& others = lines_[line].vehicles;
-  const double own = to_seconds(wanted);
-  const auto behind = std::upper_bound(
-      others.begin(), others.end(), own,
-      [](double time, const Waiting& one) { return time < static_cast<double>(one.wanted); });
-  double time = std::max(0.0, own);
-  if (behind != others.begin())
-    time = std::max(time,
-                    static_cast<double>(std::prev(behind)->entered) + discharge_.insertions().headway(line));
-  return from_seconds(time);
+  return from_seconds(lines_[line].when(to_seconds(wanted), discharge_.insertions().headway(line)));
 }
 
 void QueueForecast::reach_end(const Event& event) {

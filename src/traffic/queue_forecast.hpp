@@ -10,6 +10,7 @@
 #include "traffic/level.hpp"
 #include "traffic/queue_table.hpp"
 #include "traffic/servers.hpp"
+#include "traffic/waiting_line.hpp"
 
 namespace thalweg {
 
@@ -81,22 +82,6 @@ class QueueForecast {
     double held_at = long_ago;  ///< s from now: when he looked for it
     bool is_active = false;
   };
-  struct Waiting {
-    std::uint32_t mover;
-    float wanted;   ///< s from now: its departure
-    float entered;  ///< s from now; infinity: not yet
-  };
-  /// Of those who want to get on a road, in the order of their departures; those also who got in.
-  struct Line {
-    std::vector<Waiting> vehicles;
-    std::size_t head = 0;       ///< the first that still waits
-    double free_at = long_ago;  ///< s from now: it may enter, where there is room
-    void clear() {              // keeps the storage
-      vehicles.clear();
-      head = 0;
-      free_at = long_ago;
-    }
-  };
   static constexpr std::uint32_t none = 0xffffffff;
   static constexpr double ticks_a_second = 10;
   enum class Kind : std::uint8_t { reaches_end, leaves, forces_its_way, departs, enters };
@@ -129,7 +114,8 @@ class QueueForecast {
   void handle(const Event& event);
   void depart(const Event& event);
   void enter(const Event& event);
-  void estimate_later_insertions();
+  /// Each by its place in the line.
+  void let_in_after_horizon();
   void reach_end(const Event& event);
   void leave(LaneId lane, double time);
   void force_its_way(const Event& event);
@@ -173,7 +159,7 @@ class QueueForecast {
   IdVector<RoadId, int> occupancy_;
   IdVector<RoadId, std::vector<LaneId>> held_up_;  ///< lanes whose first waits for room on the road
   IdVector<RoadId, std::vector<float>> delayed_;  ///< s from now: when others who waited behind these went on
-  IdVector<LaneId, Line> lines_;
+  IdVector<LaneId, WaitingLine> lines_;
   std::vector<LaneId> lined_;  ///< lines that are not as new
   IdVector<VehicleId, Millis> insertion_;
   IdVector<VehicleId, Leaving> leaving_;
