@@ -140,9 +140,10 @@ class Controller {
 
   void add_traveller(VehicleId vehicle) {
     Plan plan = simulation_.plan(vehicle);
+    const DemandVehicle& wanted = demand_.vehicles[vehicle];
+    if (plan.has_own_lane && !conditions_.closed(plan.route[1], wanted.vehicle_class)) plan.committed = 2;
     if (!plan.can_change || plan.committed >= plan.route.size()) return;
     if (strategy_.looks_ahead()) fleet_.on_plan(vehicle, plan.route);
-    const DemandVehicle& wanted = demand_.vehicles[vehicle];
     Traveller traveller;
     traveller.vehicle = vehicle;
     traveller.vehicle_class = traffic_.index_of(wanted.vehicle_class);

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
+#include "network/lane_targets.hpp"
 #include "simulation/sumo_module.hpp"
 
 namespace thalweg {
@@ -14,6 +15,10 @@ namespace {
 
 /// SUMO's decel where a type says nothing (m/s^2); used for the distance within which a turn is committed.
 constexpr double usual_deceleration = 4.5;
+
+/// m before a junction within which one does not leave the lane for its turn: among those who wait there it
+/// would stand across two lanes, and two that want each other's lane wait for ever.
+constexpr double lanes_kept = 100;
 
 /// Vehicles loaded before the first step; libsumo tells them since 1.20 or so.
 template <class SumoVehicle>
@@ -33,7 +38,10 @@ bool is_mesoscopic() {
 class SumoSession : public Simulation {
  public:
   explicit SumoSession(const SessionSetup& setup)
-      : network_(*setup.network), demand_(*setup.demand), routes_(setup.demand->vehicles.size()) {
+      : network_(*setup.network),
+        demand_(*setup.demand),
+        lane_targets_(lane_targets(network_)),
+        routes_(setup.demand->vehicles.size()) {
     for (std::size_t i = 0; i < demand_.vehicles.size(); ++i) {
       ids_.emplace(demand_.vehicles[VehicleId{i}].id, VehicleId{i});
     }
@@ -286,11 +294,21 @@ class SumoSession : public Simulation {
     const double braking = speed * speed / (2 * usual_deceleration) + speed * to_seconds(step_length_);
     plan.driven = length > 0 ? std::clamp(position / length, 0.0, 1.0) : 1.0;
     plan.committed = length - position < braking ? 2 : 1;
+    plan.has_own_lane = length - position < lanes_kept && is_on_own_lane(name, plan);
     return true;
+  }
+
+  /// Its lane leads to its next road and nowhere else.
+  bool is_on_own_lane(const std::string& name, const Plan& plan) const {
+    if (is_mesoscopic_ || plan.route.size() < 2) return false;
+    const auto index = static_cast<std::uint32_t>(std::max(0, libsumo::Vehicle::getLaneIndex(name)));
+    const Road& road = network_.roads[plan.route.front()];
+    return index < road.lane_count && lane_targets_[road.lane(index)] == plan.route[1];
   }
 
   const Network& network_;
   const Demand& demand_;
+  IdVector<LaneId, RoadId> lane_targets_;
   std::unordered_map<std::string, VehicleId> ids_;
   std::vector<Running> running_;
   std::unordered_map<std::string, std::size_t> places_;  ///< in running_

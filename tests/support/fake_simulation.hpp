@@ -33,6 +33,7 @@ struct FakeOptions {
   Millis load_ahead = infinity;  ///< vehicles are loaded so long before they depart
   Millis insertion_delay = 0;    ///< the road is full: a vehicle enters so much later than it wants to
   double braking_share = 2;      ///< from this share of its road on a vehicle is committed to the next
+  double own_lane_share = 2;     ///< from this share of its road on it is on a lane for its turn alone
 };
 
 /// What `assign` was told.
@@ -132,6 +133,7 @@ class FakeSimulation : public Simulation {
                                            static_cast<double>(road_times[state.road()])
                                      : 0;
     plan.committed = plan.driven >= options_.braking_share && plan.route.size() > 1 ? 2 : 1;
+    plan.has_own_lane = plan.driven >= options_.own_lane_share && plan.route.size() > 1;
     plan.can_change = !away.contains(vehicle);
     // As SUMO: what lies ahead of the stops, in the order of the route.
     auto from = plan.route.begin();

@@ -327,6 +327,30 @@ TEST_F(Control, ACommittedRoadIsKept) {
   EXPECT_EQ(text(simulation.assignments[0].route), "SA AC CA AB BT");
 }
 
+TEST_F(Control, WhoIsOnALaneForItsTurnKeepsTheTurn) {
+  FakeSimulation simulation(net, fleet(net, 1, "SACDBT"), {.own_lane_share = 0.5});
+  Recorder recorder;
+  recorder.answer = [&](std::span<const ClassTraffic> traffic, const Traveller& traveller) -> Decision {
+    const Millis now = simulation.now();
+    if (now == 4'000 || now == 7'000) {
+      EXPECT_EQ(names(net, *traffic[0].graph, traveller.route),
+                now < 5'000 ? "SA AC CD DB BT" : "AC CD DB BT");
+    }
+    return {.route = traveller.route};
+  };
+  run(simulation, net, recorder, each_step);
+  EXPECT_GT(recorder.turns().at(VehicleId{0U}).size(), 7U);
+}
+
+TEST_F(Control, NobodyKeepsToTheLaneOfAClosedRoad) {
+  const LaneId lane = net.roads[at("AB")].first_lane;
+  FakeSimulation simulation(net, fleet(net, 1, "SABT"), {.own_lane_share = 0});
+  run(simulation, net, evolved.get(),
+      {.period = 2'000,
+       .lane_changes = {{.lane = lane, .begin = 4'000, .permissions = Permissions::none()}}});
+  EXPECT_EQ(text(simulation.driven[VehicleId{0U}]), "SA AC CD DB BT");
+}
+
 TEST_F(Control, TimeAlreadySpentOnTheRoadIsLeftOut) {
   FakeSimulation simulation(net, fleet(net, 1, "SABT"));
   Recorder recorder;
