@@ -3,13 +3,15 @@
 
 namespace thalweg {
 
-IdVector<LaneId, RoadId> lane_targets(const Network& network) {
-  IdVector<LaneId, RoadId> targets(network.lanes.size());
+IdVector<LaneId, LaneTarget> lane_targets(const Network& network) {
+  IdVector<LaneId, LaneTarget> targets(network.lanes.size());
   IdVector<LaneId, bool> has_choice(network.lanes.size(), false);
   for (const Connection& connection : network.connections) {
     const LaneId lane = network.roads[connection.from].lane(connection.from_lane);
-    if (targets[lane].valid() && targets[lane] != connection.to) has_choice[lane] = true;
-    targets[lane] = has_choice[lane] ? RoadId{} : connection.to;
+    LaneTarget& target = targets[lane];
+    if (target.road.valid() && target.road != connection.to) has_choice[lane] = true;
+    target = {.road = connection.to, .lane = network.roads[connection.to].lane(connection.to_lane)};
+    if (has_choice[lane]) target = {};
   }
   return targets;
 }

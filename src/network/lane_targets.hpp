@@ -5,7 +5,13 @@
 
 namespace thalweg {
 
-/// The road that each lane leads to, where all its connections lead to the same one; else invalid.
-[[nodiscard]] IdVector<LaneId, RoadId> lane_targets(const Network& network);
+/// Where a lane leads to.
+struct LaneTarget {
+  RoadId road;
+  LaneId lane;  ///< the last one in the net, where there are several
+};
+
+/// Of each lane, where all its connections lead to the same road; else invalid ids.
+[[nodiscard]] IdVector<LaneId, LaneTarget> lane_targets(const Network& network);
 
 }  // namespace thalweg

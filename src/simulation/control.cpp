@@ -141,7 +141,10 @@ class Controller {
   void add_traveller(VehicleId vehicle) {
     Plan plan = simulation_.plan(vehicle);
     const DemandVehicle& wanted = demand_.vehicles[vehicle];
-    if (plan.has_own_lane && !conditions_.closed(plan.route[1], wanted.vehicle_class)) plan.committed = 2;
+    for (std::size_t i = 1; i <= plan.own_lanes; ++i) {
+      if (conditions_.closed(plan.route[i], wanted.vehicle_class)) break;
+      plan.committed = std::max(plan.committed, i + 1);
+    }
     if (!plan.can_change || plan.committed >= plan.route.size()) return;
     if (strategy_.looks_ahead()) fleet_.on_plan(vehicle, plan.route);
     Traveller traveller;
@@ -178,10 +181,12 @@ class Controller {
       const auto depart = demand_.vehicles[travellers_[i].vehicle].depart;
       until_depart = std::max<Millis>(0, depart.value_or(simulation_.now()) - simulation_.now());
     }
-    const Millis crossing = traffic_[travellers_[i].vehicle_class].road_times[plan.route.front()];
-    const auto behind =
-        static_cast<Millis>(plan.driven * static_cast<double>(std::min(crossing, infinity / 4)));
-    return until_depart + (plan.committed > 1 ? crossing - behind : -behind);
+    const RoadTimes& times = traffic_[travellers_[i].vehicle_class].road_times;
+    const Millis behind = static_cast<Millis>(
+        plan.driven * static_cast<double>(std::min(times[plan.route.front()], infinity / 4)));
+    Millis ahead = 0;
+    for (std::size_t k = 0; k + 1 < plan.committed; ++k) ahead = add_saturating(ahead, times[plan.route[k]]);
+    return until_depart + ahead - behind;
   }
 
   void apply(const Traveller& traveller, const Plan& plan, Decision& decision) {

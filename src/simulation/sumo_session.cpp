@@ -16,8 +16,9 @@ namespace {
 /// SUMO's decel where a type says nothing (m/s^2); used for the distance within which a turn is committed.
 constexpr double usual_deceleration = 4.5;
 
-/// m before a junction within which one does not leave the lane for its turn: among those who wait there it
-/// would stand across two lanes, and two that want each other's lane wait for ever.
+/// m before a junction within which one does not leave the lane for its turn, on whatever road it is yet:
+/// among those who wait there it would stand across two lanes, and two that want each other's lane wait for
+/// ever.
 constexpr double lanes_kept = 100;
 
 /// Vehicles loaded before the first step; libsumo tells them since 1.20 or so.
@@ -294,21 +295,27 @@ class SumoSession : public Simulation {
     const double braking = speed * speed / (2 * usual_deceleration) + speed * to_seconds(step_length_);
     plan.driven = length > 0 ? std::clamp(position / length, 0.0, 1.0) : 1.0;
     plan.committed = length - position < braking ? 2 : 1;
-    plan.has_own_lane = length - position < lanes_kept && is_on_own_lane(name, plan);
+    if (!is_mesoscopic_) count_own_lanes(libsumo::Vehicle::getLaneIndex(name), length - position, plan);
     return true;
   }
 
-  /// Its lane leads to its next road and nowhere else.
-  bool is_on_own_lane(const std::string& name, const Plan& plan) const {
-    if (is_mesoscopic_ || plan.route.size() < 2) return false;
-    const auto index = static_cast<std::uint32_t>(std::max(0, libsumo::Vehicle::getLaneIndex(name)));
+  /// `left`: m of its road.
+  void count_own_lanes(int index, double left, Plan& plan) const {
     const Road& road = network_.roads[plan.route.front()];
-    return index < road.lane_count && lane_targets_[road.lane(index)] == plan.route[1];
+    if (index < 0 || static_cast<std::uint32_t>(index) >= road.lane_count) return;
+    LaneId lane = road.lane(static_cast<std::uint32_t>(index));
+    while (left < lanes_kept && plan.own_lanes + 1 < plan.route.size()) {
+      const LaneTarget& target = lane_targets_[lane];
+      if (target.road != plan.route[plan.own_lanes + 1]) return;
+      ++plan.own_lanes;
+      lane = target.lane;
+      left += network_.lanes[lane].length;
+    }
   }
 
   const Network& network_;
   const Demand& demand_;
-  IdVector<LaneId, RoadId> lane_targets_;
+  IdVector<LaneId, LaneTarget> lane_targets_;
   std::unordered_map<std::string, VehicleId> ids_;
   std::vector<Running> running_;
   std::unordered_map<std::string, std::size_t> places_;  ///< in running_

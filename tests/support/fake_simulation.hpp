@@ -133,7 +133,7 @@ class FakeSimulation : public Simulation {
                                            static_cast<double>(road_times[state.road()])
                                      : 0;
     plan.committed = plan.driven >= options_.braking_share && plan.route.size() > 1 ? 2 : 1;
-    plan.has_own_lane = plan.driven >= options_.own_lane_share && plan.route.size() > 1;
+    plan.own_lanes = plan.driven >= options_.own_lane_share && plan.route.size() > 1 ? 1 : 0;
     plan.can_change = !away.contains(vehicle);
     // As SUMO: what lies ahead of the stops, in the order of the route.
     auto from = plan.route.begin();
