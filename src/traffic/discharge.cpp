@@ -10,12 +10,7 @@ Discharge::Discharge(const Network& network, const Servers& servers, const Deman
       options_(options),
       insertions_(network, servers, demand.vehicles.size()),
       lanes_(network.lanes.size()),
-      last_(demand.vehicles.size()) {
-  for (std::size_t i = 0; i < servers.size(); ++i) {
-    if (!servers[MovementId{i}].gives_way) continue;
-    for (const LaneId lane : servers.lanes(MovementId{i})) lanes_[lane].gives_way = true;
-  }
-}
+      last_(demand.vehicles.size()) {}
 
 void Discharge::observe(const Fleet& fleet, Millis now) {
   insertions_.observe(fleet, now);
@@ -60,10 +55,9 @@ void Discharge::note(VehicleId vehicle, const FleetVehicle& now) {
 void Discharge::learn(double seconds) {
   for (LaneState& lane : lanes_) {
     if (lane.busy_looks == looks_) {
-      const double most = lane.gives_way ? options_.most_giving_way : options_.most;
-      const double towards = lane.gives_way ? options_.towards_slower_giving_way : options_.towards_slower;
-      const double seen = lane.served > 0 ? seconds / lane.served : most;
-      lane.factor += towards * (std::clamp(seen, options_.least, most) - lane.factor);
+      const double seen = lane.served > 0 ? seconds / lane.served : options_.most;
+      lane.factor +=
+          options_.towards_slower * (std::clamp(seen, options_.least, options_.most) - lane.factor);
     } else if (lane.served * lane.factor > seconds) {
       lane.factor +=
           options_.towards_faster * (std::max(options_.least, seconds / lane.served) - lane.factor);

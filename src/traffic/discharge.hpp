@@ -17,15 +17,12 @@ struct DischargeOptions {
   double most = 4;
   double towards_slower = 0.3;  ///< share of the way to what was seen
   double towards_faster = 0.5;
-  double most_giving_way = 15;  ///< the same of lanes from which one gives way
-  double towards_slower_giving_way = 0.6;
 };
 
 /// What the lanes really let through, learned while the run goes on: a factor on the headways of Servers for
 /// every lane; beside it how fast vehicles get on the roads.
 /// A lane whose queue never emptied has shown its capacity: factor = time / headways of those that left. One
-/// that let more pass than the model allows has shown that it can. Where one gives way, the traffic that one
-/// gives way to may leave hardly a gap: there the lessons count for more and may say more.
+/// that let more pass than the model allows has shown that it can.
 class Discharge {
  public:
   Discharge(const Network& network, const Servers& servers, const Demand& demand,
@@ -43,7 +40,6 @@ class Discharge {
     double served = 0;  ///< s: headways of those that left since the last lesson
     int queue = 0;      ///< at this look
     int busy_looks = 0;
-    bool gives_way = false;  ///< on some turn
   };
   struct Last {
     std::size_t position = 0;

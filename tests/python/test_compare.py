@@ -102,7 +102,10 @@ class Compare(support.TestCase):
                     self.assertEqual(one, two, f"{arm} {seed} {file}")
 
     def test_seeds_and_arms_differ(self):
-        self.assertEqual(len({run["commute_mean"] for _, run in self.runs()}), 6)
+        means = {arm["name"]: tuple(run["commute_mean"] for run in arm["runs"]) for arm in self.comparison["arms"]}
+        for name, (one, other) in means.items():
+            self.assertNotEqual(one, other, name)
+        self.assertEqual(len(set(means.values())), 3, means)
 
     def test_everybody_is_accounted_for(self):
         for name, run in self.runs():

@@ -44,30 +44,5 @@ TEST_F(DischargeTest, AnEmptyRoadTeachesNothing) {
   EXPECT_EQ(discharge.factor(lane()), 1);
 }
 
-//     A --> M --> N      who comes from B gives way
-//           ^
-//           B
-constexpr const char* side_road = R"(<net>
-  <edge id="AM" from="A" to="M"><lane id="AM_0" index="0" length="300" speed="10"/></edge>
-  <edge id="BM" from="B" to="M"><lane id="BM_0" index="0" length="300" speed="10"/></edge>
-  <edge id="MN" from="M" to="N"><lane id="MN_0" index="0" length="300" speed="10"/></edge>
-  <junction id="A" x="0" y="0"/><junction id="B" x="0" y="0"/><junction id="M" x="0" y="0"/>
-  <junction id="N" x="0" y="0"/>
-  <connection from="AM" to="MN" fromLane="0" toLane="0" dir="s" state="M"/>
-  <connection from="BM" to="MN" fromLane="0" toLane="0" dir="r" state="m"/>
-</net>)";
-
-// Three stand on either road for two minutes, and none of them leaves.
-TEST(DischargeOfASideRoad, IsSoonBelievedToBeNextToNothing) {
-  const Network net = parse_network(side_road);
-  const Servers servers(net);
-  const Driven driven = queued(net, {"AMN", "AMN", "AMN", "BMN", "BMN", "BMN"});
-  Discharge discharge(net, servers, driven.demand);
-  for (Millis second = 0; second <= 120; ++second) discharge.observe(driven.fleet, second * 1000);
-  const auto factor = [&](const char* id) { return discharge.factor(net.roads[road(net, id)].first_lane); };
-  EXPECT_NEAR(factor("AM"), 1 + 0.3 * (4 - 1), 1e-9);
-  EXPECT_NEAR(factor("BM"), 1 + 0.6 * (15 - 1), 1e-9);
-}
-
 }  // namespace
 }  // namespace thalweg::testing
