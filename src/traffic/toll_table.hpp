@@ -35,8 +35,8 @@ struct LaneQueue {
 /// - without a queue as well, since vehicles come at random: half of x d'(x), d the time-dependent overflow
 ///   delay at the degree of saturation x (Kimber, Hollis 1979; Akçelik 1980).
 /// And of a full road, those who do not want to get on it at all, but wait behind somebody who does (cf.
-/// Qian, Shen, Zhang, Transportation Research Part B 2012). Towards the forecast's horizon all of it fades: who
-/// comes after that is not known.
+/// Qian, Shen, Zhang, Transportation Research Part B 2012). Towards the forecast's horizon all of it fades:
+/// who comes after that is not known.
 class TollTable {
  public:
   TollTable(std::size_t roads, Millis bin, std::size_t bins);
