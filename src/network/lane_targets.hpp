@@ -5,6 +5,11 @@
 
 namespace thalweg {
 
+/// The lane that a connection leaves.
+[[nodiscard]] inline LaneId lane_of(const Network& network, const Connection& connection) {
+  return network.roads[connection.from].lane(connection.from_lane);
+}
+
 /// Where a lane leads to.
 struct LaneTarget {
   RoadId road;

@@ -159,17 +159,15 @@ class ForecastStrategy : public Strategy {
   /// is on it is as one that entered so much earlier as leaves when it does.
   [[nodiscard]] Millis start(const RoadGraph& graph, const TimedCosts& costs,
                              const Traveller& traveller) const {
-    const Millis now = foresight_->now();
-    const Millis until_route = std::max<Millis>(0, traveller.until_route);
-    const VertexId front = traveller.route.front();
     if (!traveller.departed) return earliest_insertion(graph, traveller);
+    const VertexId front = traveller.route.front();
     if (const auto leaving = foresight_->leaving(traveller.vehicle)) {
       if (leaving->road == graph.road(front)) return start_in_queue(graph, costs, front, leaving->at);
       const Servers& servers = foresight_->expected().servers;
       const MovementId turn = servers.find(leaving->road, graph.road(front));
       if (turn.valid()) return leaving->at + from_seconds(servers[turn].through);
     }
-    return now + until_route -
+    return foresight_->now() + std::max<Millis>(0, traveller.until_route) -
            static_cast<Millis>(traveller.driven * static_cast<double>(crossing_of(graph, costs, front)));
   }
   [[nodiscard]] Millis earliest_insertion(const RoadGraph& graph, const Traveller& traveller) const {

@@ -4,15 +4,11 @@
 #include <algorithm>
 #include <map>
 
+#include "network/lane_targets.hpp"
 #include "traffic/green.hpp"
 
 namespace thalweg {
 namespace {
-
-/// The one that it leaves.
-LaneId lane_of(const Network& network, const Connection& c) {
-  return network.roads[c.from].lane(c.from_lane);
-}
 
 /// Seconds on the internal lanes from this one on.
 double through_time(const Network& network, const IdVector<LaneId, LaneId>& next, LaneId via) {

@@ -8,9 +8,8 @@
 namespace thalweg::testing {
 namespace {
 
-//     A ==> B      Forty want to go straight on from 0 s, and forty to turn left. One of the first gets in
-//     every
-//                  20 s, one of the others every 4 s.
+//     A ==> B      Forty want to go straight on from 0 s, and forty to turn left.
+//                  One of the first gets in every 20 s, one of the others every 4 s.
 class InsertionsTest : public ::testing::Test {
  protected:
   [[nodiscard]] LaneId line(const char* to) const {
