@@ -20,7 +20,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       discharge_(discharge),
       options_(options),
       horizon_(to_seconds(options.bin) * static_cast<double>(options.bins)),
-      ticks_(static_cast<std::size_t>(horizon_ * ticks_a_second) + 1),
+      calendar_(horizon_),
       queues_(network.lanes.size()),
       passed_(network.lanes.size()),
       occupancy_(network.roads.size()),
@@ -48,10 +48,7 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   }
   used_.clear();
   movers_.clear();
-  events_.clear();
-  free_ = none;
-  ticks_.assign(ticks_.size(), {});
-  tick_ = 0;
+  calendar_.clear();
   occupancy_.assign(occupancy_.size(), 0);
   for (auto& lanes : held_up_) lanes.clear();
   for (auto& times : delayed_) times.clear();
@@ -61,17 +58,8 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   leaving_.assign(fleet.size(), {});
   for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], now);
   assume_departures(fleet, now);
-  // A calendar and not a heap: what is a tenth of a second apart may be in any order, so long as it is always
-  // the same one. Events of this tick may be found out while it is at hand.
-  for (tick_ = 0; tick_ < ticks_.size(); ++tick_) {
-    for (std::uint32_t i = ticks_[tick_].first; i != none;) {
-      const Event event = events_[i];
-      prefetch_after(event);
-      handle(event);
-      const std::uint32_t done = std::exchange(i, events_[i].next);
-      events_[done].next = std::exchange(free_, done);
-    }
-  }
+  calendar_.run([this](const Event* next, const Event* second) { prefetch(next, second); },
+                [this](const Event& event) { handle(event); });
   let_in_after_horizon();
   table_.tabulate(servers_, discharge_, passed_, delayed_);
 }
@@ -144,35 +132,18 @@ void QueueForecast::add(const Mover& mover, double time, Kind kind) {
   push(time, kind, static_cast<std::uint32_t>(movers_.size() - 1));
 }
 
-void QueueForecast::push(double time, Kind kind, std::uint32_t subject) {
-  if (time > horizon_) return;
-  Tick& tick = ticks_[std::max(tick_, tick_of(time))];
-  std::uint32_t event = free_;
-  if (event == none) {
-    event = static_cast<std::uint32_t>(events_.size());
-    events_.emplace_back();
-  } else {
-    free_ = events_[event].next;
-  }
-  events_[event] = {.time = time, .subject = subject, .next = none, .kind = kind};
-  (tick.first == none ? tick.first : events_[tick.last].next) = event;
-  tick.last = event;
-}
-
-void QueueForecast::prefetch_after(const Event& event) const {
-  if (event.next == none) return;
-  const Event& next = events_[event.next];
-  if (next.kind == Kind::reaches_end) __builtin_prefetch(movers_[next.subject].road);
-  if (next.kind == Kind::leaves) {
-    const LaneId lane{next.subject};
+void QueueForecast::prefetch(const Event* next, const Event* second) const {
+  if (next == nullptr) return;
+  if (next->kind == Kind::reaches_end) __builtin_prefetch(movers_[next->subject].road);
+  if (next->kind == Kind::leaves) {
+    const LaneId lane{next->subject};
     __builtin_prefetch(passed_[lane].data() + queues_[lane].head);
   }
-  if (next.next == none) return;
-  const Event& second = events_[next.next];
-  if (second.kind == Kind::reaches_end) __builtin_prefetch(&movers_[second.subject]);
-  if (second.kind == Kind::leaves) {
-    __builtin_prefetch(&queues_[LaneId{second.subject}]);
-    __builtin_prefetch(&passed_[LaneId{second.subject}]);
+  if (second == nullptr) return;
+  if (second->kind == Kind::reaches_end) __builtin_prefetch(&movers_[second->subject]);
+  if (second->kind == Kind::leaves) {
+    __builtin_prefetch(&queues_[LaneId{second->subject}]);
+    __builtin_prefetch(&passed_[LaneId{second->subject}]);
   }
 }
 
@@ -266,7 +237,7 @@ void QueueForecast::schedule_head(LaneId lane) {
   const double ready = first.arrived + servers_[first.movement].delay;
   const double time = std::max(ready, queue.free_at);
   queue.is_active = true;
-  if (tick_of(time) <= tick_)
+  if (calendar_.is_now(time))
     leave(lane, time);
   else
     push(time, Kind::leaves, lane.value);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "traffic/discharge.hpp"
+#include "traffic/event_calendar.hpp"
 #include "traffic/fleet.hpp"
 #include "traffic/level.hpp"
 #include "traffic/queue_table.hpp"
@@ -82,19 +83,11 @@ class QueueForecast {
     double held_at = long_ago;  ///< s from now: when he looked for it
     bool is_active = false;
   };
-  static constexpr std::uint32_t none = 0xffffffff;
-  static constexpr double ticks_a_second = 10;
   enum class Kind : std::uint8_t { reaches_end, leaves, forces_its_way, departs, enters };
   struct Event {
     double time;            ///< s from now
     std::uint32_t subject;  ///< a mover; the lane for `leaves` and `forces_its_way`, the line for `enters`
-    std::uint32_t next;     ///< in the same tick
     Kind kind;
-  };
-  /// Those of a tenth of a second, one after the other in the order in which they were found out.
-  struct Tick {
-    std::uint32_t first = none;
-    std::uint32_t last = none;
   };
 
   /// Who drives the route, which outlives the run, from this road on.
@@ -108,9 +101,9 @@ class QueueForecast {
   void repeat_departures(const Fleet& fleet, Millis known_until, Millis now);
   void add(const Mover& mover, double time, Kind kind);
   [[nodiscard]] double crossing(RoadId road) const { return pace_ * servers_.free_flow(road); }
-  /// Has the memory fetch what the next two events of the tick will need: vehicles that are there at the same
-  /// time are nowhere near each other in it (3 % of the router's time on luxembourg).
-  void prefetch_after(const Event& event) const;
+  /// Has the memory fetch what the next two events will need: vehicles that are there at the same time are
+  /// nowhere near each other in it (3 % of the router's time on luxembourg).
+  void prefetch(const Event* next, const Event* second) const;
   void handle(const Event& event);
   void depart(const Event& event);
   void enter(const Event& event);
@@ -131,10 +124,9 @@ class QueueForecast {
   void give_up_place(RoadId road, double time);
   /// The first in the lane leaves in this tick, without an event (more than half of all do), or later.
   void schedule_head(LaneId lane);
-  static std::size_t tick_of(double time) {
-    return static_cast<std::size_t>(std::max(0.0, time * ticks_a_second));
+  void push(double time, Kind kind, std::uint32_t subject) {
+    calendar_.add({.time = time, .subject = subject, .kind = kind});
   }
-  void push(double time, Kind kind, std::uint32_t subject);
 
   const Network& network_;
   const Servers& servers_;
@@ -149,10 +141,7 @@ class QueueForecast {
   Millis noted_until_ = -1;
 
   std::vector<Mover> movers_;
-  std::vector<Event> events_;
-  std::uint32_t free_ = none;  ///< of events_: the first that is over, chained by `next`
-  std::vector<Tick> ticks_;
-  std::size_t tick_ = 0;  ///< at hand
+  EventCalendar<Event> calendar_;
   IdVector<LaneId, Queue> queues_;
   IdVector<LaneId, std::vector<Passed>> passed_;
   std::vector<LaneId> used_;  ///< queues that are not as new
