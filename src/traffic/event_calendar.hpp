@@ -45,15 +45,16 @@ class EventCalendar {
   /// One at this time would come in the tick at hand.
   [[nodiscard]] bool is_now(double time) const { return tick_of(time) <= tick_; }
 
-  /// Handles all of them, also those that are added meanwhile. Before each, `expect(next, second)` with those
-  /// that follow in the same tick, so far as there are any (else null).
+  /// Handles all of them, also those that are added meanwhile. Before each, `expect(next, second, third)`
+  /// with those that follow in the same tick, so far as there are any (else null).
   template <class Expect, class Handle>
   void run(const Expect& expect, const Handle& handle) {
     for (tick_ = 0; tick_ < ticks_.size(); ++tick_) {
       for (std::uint32_t i = ticks_[tick_].first; i != none;) {
         const Event event = nodes_[i].event;
         const std::uint32_t next = nodes_[i].next;
-        expect(find(next), next == none ? nullptr : find(nodes_[next].next));
+        const std::uint32_t second = follow(next);
+        expect(find(next), find(second), find(follow(second)));
         handle(event);
         const std::uint32_t done = std::exchange(i, nodes_[i].next);
         nodes_[done].next = std::exchange(free_, done);
@@ -75,6 +76,9 @@ class EventCalendar {
 
   static std::size_t tick_of(double time) {
     return static_cast<std::size_t>(std::max(0.0, time * ticks_a_second));
+  }
+  [[nodiscard]] std::uint32_t follow(std::uint32_t node) const {
+    return node == none ? none : nodes_[node].next;
   }
   [[nodiscard]] const Event* find(std::uint32_t node) const {
     return node == none ? nullptr : &nodes_[node].event;

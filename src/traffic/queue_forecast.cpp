@@ -58,8 +58,9 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   leaving_.assign(fleet.size(), {});
   for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], now);
   assume_departures(fleet, now);
-  calendar_.run([this](const Event* next, const Event* second) { prefetch(next, second); },
-                [this](const Event& event) { handle(event); });
+  calendar_.run(
+      [this](const Event* next, const Event* second, const Event* third) { prefetch(next, second, third); },
+      [this](const Event& event) { handle(event); });
   let_in_after_horizon();
   table_.tabulate(servers_, discharge_, passed_, delayed_);
 }
@@ -132,19 +133,28 @@ void QueueForecast::add(const Mover& mover, double time, Kind kind) {
   push(time, kind, static_cast<std::uint32_t>(movers_.size() - 1));
 }
 
-void QueueForecast::prefetch(const Event* next, const Event* second) const {
+void QueueForecast::prefetch(const Event* next, const Event* second, const Event* third) const {
+  if (third != nullptr) {
+    if (third->kind == Kind::reaches_end) __builtin_prefetch(&movers_[third->subject]);
+    if (third->kind == Kind::leaves) prefetch_queue(LaneId{third->subject});
+  }
+  if (second != nullptr) {
+    if (second->kind == Kind::reaches_end) __builtin_prefetch(movers_[second->subject].road);
+    if (second->kind == Kind::leaves) __builtin_prefetch(&first_in(LaneId{second->subject}));
+  }
   if (next == nullptr) return;
-  if (next->kind == Kind::reaches_end) __builtin_prefetch(movers_[next->subject].road);
-  if (next->kind == Kind::leaves) {
-    const LaneId lane{next->subject};
-    __builtin_prefetch(passed_[lane].data() + queues_[lane].head);
+  if (next->kind == Kind::leaves) __builtin_prefetch(&servers_[first_in(LaneId{next->subject}).movement]);
+  if (next->kind == Kind::reaches_end) {
+    const MovementId movement = movement_of(movers_[next->subject]);
+    if (!movement.valid()) return;
+    __builtin_prefetch(&servers_[movement]);
+    for (const LaneId lane : servers_.lanes(movement)) prefetch_queue(lane);
   }
-  if (second == nullptr) return;
-  if (second->kind == Kind::reaches_end) __builtin_prefetch(&movers_[second->subject]);
-  if (second->kind == Kind::leaves) {
-    __builtin_prefetch(&queues_[LaneId{second->subject}]);
-    __builtin_prefetch(&passed_[LaneId{second->subject}]);
-  }
+}
+
+void QueueForecast::prefetch_queue(LaneId lane) const {
+  __builtin_prefetch(&queues_[lane]);
+  __builtin_prefetch(&passed_[lane]);
 }
 
 void QueueForecast::handle(const Event& event) {
@@ -207,8 +217,8 @@ Millis QueueForecast::insertion(LaneId line, Millis wanted) const {
 void QueueForecast::reach_end(const Event& event) {
   Mover& mover = movers_[event.subject];
   const RoadId road = *mover.road;
-  const MovementId movement = mover.road == mover.last ? MovementId{} : servers_.find(road, mover.road[1]);
-  if (!movement.valid()) {  // arrived, or its route is not what SUMO drives
+  const MovementId movement = movement_of(mover);
+  if (!movement.valid()) {
     if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
     return give_up_place(road, event.time);
   }
@@ -233,7 +243,7 @@ void QueueForecast::reach_end(const Event& event) {
 
 void QueueForecast::schedule_head(LaneId lane) {
   Queue& queue = queues_[lane];
-  const Passed& first = passed_[lane][queue.head];
+  const Passed& first = first_in(lane);
   const double ready = first.arrived + servers_[first.movement].delay;
   const double time = std::max(ready, queue.free_at);
   queue.is_active = true;
@@ -278,7 +288,7 @@ void QueueForecast::leave(LaneId lane, double time) {
 void QueueForecast::force_its_way(const Event& event) {
   const LaneId lane{event.subject};
   if (!is_out_of_patience(queues_[lane], event.time)) return;  // another waits there now
-  if (std::erase(held_up_[movement_of_first(lane).to], lane) > 0) leave(lane, event.time);
+  if (std::erase(held_up_[servers_[first_in(lane).movement].to], lane) > 0) leave(lane, event.time);
 }
 
 void QueueForecast::give_up_place(RoadId road, double time) {
@@ -287,7 +297,7 @@ void QueueForecast::give_up_place(RoadId road, double time) {
   if (lanes.empty() || !has_room(road)) return;
   // Else those who want to get on a roundabout would fill it, and nobody could leave it any more.
   const auto rank = [&](LaneId lane) {
-    return std::tuple(movement_of_first(lane).gives_way, queues_[lane].blocked_since, lane);
+    return std::tuple(servers_[first_in(lane).movement].gives_way, queues_[lane].blocked_since, lane);
   };
   const auto first =
       std::min_element(lanes.begin(), lanes.end(), [&](LaneId a, LaneId b) { return rank(a) < rank(b); });
