@@ -34,6 +34,9 @@ std::vector<OptionSpec> routing_options() {
       {"routing", "gain.absolute", 0, "TIME", seconds(rule.absolute), "and more than this time"},
       {"routing", "toll", 0, "FLOAT", fmt::format("{}", strategy.toll),
        "forecast, memory: share of the delay that it costs the others that a vehicle counts as its own"},
+      {"routing", "no-signal-phases", 0, "BOOL", "false",
+       "forecast, booking, marginal, memory: signals by their mean waits, not by what they show at which "
+       "time"},
       {"routing", "stall", 0, "TIME", seconds(control.stall),
        "A run without an end stops when nothing has arrived for so long"},
       threads_option(),
@@ -89,6 +92,7 @@ StrategyOptions strategy_options(const Options& options) {
                    .spread = options.number("gain.spread"),
                    .absolute = options.time("gain.absolute")},
           .toll = toll,
+          .signal_phases = !options.flag("no-signal-phases"),
           .threads = thread_count(options),
           .order_cache = order_cache(options)};
 }

@@ -105,6 +105,8 @@ struct SignalProgramme {
   std::string type;  ///< static, actuated, delay_based ..
   Millis offset = 0;
   std::vector<SignalPhase> phases;
+  /// When a cycle began, of one that runs and whose phases have fixed lengths; else nothing.
+  std::optional<Millis> cycle_start{};
 };
 struct Signal {
   std::string id;

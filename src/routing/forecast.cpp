@@ -28,6 +28,7 @@ class ForecastStrategy : public Strategy {
       : rule_(options.rule),
         manners_(manners),
         memory_(options.memory),
+        signal_phases_(options.signal_phases),
         order_cache_(options.order_cache),
         workers_(std::max<std::size_t>(1, options.threads)) {}
 
@@ -37,7 +38,8 @@ class ForecastStrategy : public Strategy {
   }
 
   void watch(const TrafficState& state) override {
-    if (!foresight_) foresight_.emplace(state, memory_, ForecastOptions{.tolls = manners_.toll > 0});
+    if (!foresight_)
+      foresight_.emplace(state, memory_, ForecastOptions{.tolls = manners_.toll > 0}, signal_phases_);
     if (!foresight_->watch(state)) return;
     rule_.caution = foresight_->hindsight().caution();
     for (auto& seen : classes_) seen.is_fresh = false;
@@ -282,6 +284,7 @@ class ForecastStrategy : public Strategy {
   ChoiceRule rule_;
   Manners manners_;
   const Memory* memory_;
+  bool signal_phases_;
   OrderCache order_cache_;
   std::optional<Foresight> foresight_;
   std::vector<ClassView> classes_;

@@ -6,8 +6,10 @@
 
 namespace thalweg {
 
-Foresight::Foresight(const TrafficState& first, const Memory* memory, const ForecastOptions& options)
+Foresight::Foresight(const TrafficState& first, const Memory* memory, const ForecastOptions& options,
+                     bool signal_phases)
     : network_(first.network),
+      signal_phases_(signal_phases),
       conditions_(first.conditions),
       fleet_(first.fleet),
       servers_(first.network),
@@ -27,8 +29,11 @@ Foresight::Foresight(const TrafficState& first, const Memory* memory, const Fore
 
 bool Foresight::watch(const TrafficState& state) {
   now_ = state.now;
-  for (const SignalId signal : state.changed_signals)
-    servers_.set_programme(signal, state.programmes[signal]);
+  for (const SignalId signal : state.changed_signals) {
+    SignalProgramme programme = state.programmes[signal];
+    if (!signal_phases_) programme.cycle_start.reset();
+    servers_.set_programme(signal, programme);
+  }
   for (const RoadId road : state.conditions.roads())
     servers_.set_free_flow(road, state.conditions.crossing(road));
   discharge_.observe(state.fleet, state.now);

@@ -21,8 +21,9 @@ namespace thalweg {
 class Foresight {
  public:
   /// With a memory, those who set out on the day before are expected again.
+  /// `signal_phases`: what signals show at which time is known (SignalWaits).
   explicit Foresight(const TrafficState& first, const Memory* memory = nullptr,
-                     const ForecastOptions& options = {});
+                     const ForecastOptions& options = {}, bool signal_phases = true);
   Foresight(const Foresight&) = delete;  // its parts refer to each other
   Foresight& operator=(const Foresight&) = delete;
 
@@ -73,6 +74,7 @@ class Foresight {
   static constexpr Millis round = 15'000;
 
   const Network& network_;
+  bool signal_phases_;
   const Conditions& conditions_;
   const Fleet& fleet_;
   Servers servers_;

@@ -113,6 +113,8 @@ struct StrategyOptions {
   /// Share of the delay that it costs the others (TollTable) that a vehicle counts as its own: `forecast`,
   /// `memory`.
   double toll = 0.4;
+  /// Whether those who look ahead know what signals show at which time, or their mean waits only.
+  bool signal_phases = true;
   std::size_t threads = 1;
   OrderCache order_cache{};        ///< of the hierarchy; nowhere by default
   const Memory* memory = nullptr;  ///< of the days before, for `memory`; outlives the strategy

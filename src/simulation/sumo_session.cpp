@@ -113,6 +113,8 @@ class SumoSession : public Simulation {
         if (logic.programID != programme.id) continue;
         for (const auto& phase : logic.phases)
           programme.phases.push_back({.duration = from_seconds(phase->duration), .state = phase->state});
+        if (logic.type == fixed_lengths)
+          programme.cycle_start = cycle_start(id, logic.currentPhaseIndex, programme.phases);
       }
     } catch (const libsumo::TraCIException&) {  // a rail signal, or not in this net
       programme.phases.clear();
@@ -157,6 +159,16 @@ class SumoSession : public Simulation {
   }
 
  private:
+  static constexpr int fixed_lengths = 0;  // of TraCILogic::type: TrafficLightType::STATIC
+
+  [[nodiscard]] Millis cycle_start(const std::string& signal, int index,
+                                   std::span<const SignalPhase> phases) const {
+    Millis end_of_phase = 0;  // in the cycle
+    for (const SignalPhase& phase : phases.first(static_cast<std::size_t>(index) + 1))
+      end_of_phase += phase.duration;
+    return from_seconds(libsumo::TrafficLight::getNextSwitch(signal)) - end_of_phase;
+  }
+
   struct Running {
     std::string name;
     VehicleId id;   ///< invalid: not of the demand

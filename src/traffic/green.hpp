@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "network/network.hpp"
 
@@ -23,6 +24,11 @@ struct Feeder {
   std::size_t link;
   double travel;
 };
+
+/// For each second of the programme's cycle, s until one of the links may be driven: 0 while one may; the
+/// whole cycle where none ever opens. Empty where nobody knows: no phases, or phases of broken seconds.
+std::vector<std::size_t> seconds_until_open(const SignalProgramme& programme,
+                                            std::span<const std::size_t> links);
 
 /// The mean wait at the end of a road whose links all belong to the signal that lets vehicles onto it, in s:
 /// they come in its green, and mostly find the next stop line green as well. Without a value where no feeder

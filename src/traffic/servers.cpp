@@ -128,6 +128,7 @@ void Servers::make_movements() {
     lane_first_.push_back(static_cast<std::uint32_t>(lanes_.size()));
   }
   for (std::size_t i = 0; i + 1 < first_.size(); ++i) first_[i + 1] += first_[i];
+  signal_waits_ = SignalWaits(movements_.size());
 }
 
 void Servers::find_links() {
@@ -149,7 +150,8 @@ void Servers::set_programme(SignalId signal, const SignalProgramme& programme) {
   std::map<MovementId, Sum> sums;
   for (const Link& link : links_[signal]) {
     const Green green = green_of(programme, link.index);
-    if (green.cycle <= 0) return;  // switched off: as it was
+    signal_waits_.clear(link.movement);
+    if (green.cycle <= 0) continue;  // switched off: as it was
     const double open =
         green.priority + options_.permissive * green.permissive + options_.yellow * green.yellow;
     const double red = std::max(0.0, green.cycle - green.priority - green.permissive - 0.5 * green.yellow);
@@ -162,7 +164,11 @@ void Servers::set_programme(SignalId signal, const SignalProgramme& programme) {
     movements_[movement].headway =
         options_.saturation_headway / std::max(options_.least_share, sum.share / sum.links);
     const double at_any_time = sum.delay / sum.links;
-    movements_[movement].delay = coordinated(signal, programme, movement).value_or(at_any_time) + 1;
+    const auto when_let_in = coordinated(signal, programme, movement);
+    movements_[movement].delay = when_let_in.value_or(at_any_time) + 1;
+    if (!when_let_in && programme.cycle_start)
+      signal_waits_.set(movement, seconds_until_open(programme, links_of(signal, movement)),
+                        *programme.cycle_start);
     refresh_road(movements_[movement].from);
   }
 }
@@ -172,14 +178,20 @@ std::optional<double> Servers::coordinated(SignalId signal, const SignalProgramm
   const RoadId road = movements_[movement].from;
   if (fed_by_[road] != signal) return {};
   std::vector<Feeder> feeders;
-  std::vector<std::size_t> own;
   for (const Link& link : links_[signal]) {
     const Movement& feeder = movements_[link.movement];
     if (feeder.to == road)
       feeders.push_back({.link = link.index, .travel = feeder.through + free_flow_[road]});
+  }
+  return coordinated_wait(programme, feeders, links_of(signal, movement), options_.permissive);
+}
+
+std::vector<std::size_t> Servers::links_of(SignalId signal, MovementId movement) const {
+  std::vector<std::size_t> own;
+  for (const Link& link : links_[signal]) {
     if (link.movement == movement) own.push_back(link.index);
   }
-  return coordinated_wait(programme, feeders, own, options_.permissive);
+  return own;
 }
 
 MovementId Servers::find(RoadId from, RoadId to) const {

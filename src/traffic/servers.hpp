@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "network/network.hpp"
+#include "traffic/signal_waits.hpp"
 
 namespace thalweg {
 
@@ -67,6 +68,9 @@ class Servers {
   /// Whether the lane is one of those that the road's motor traffic queues on: open to cars where any is,
   /// else to buses or trams; footways and bicycle lanes only where there is nothing else.
   [[nodiscard]] bool carries(LaneId lane) const { return carries_[lane]; }
+  /// Of the turns whose signals show the same in every cycle, but for those between two stop lines of one
+  /// signal.
+  [[nodiscard]] const SignalWaits& signal_waits() const { return signal_waits_; }
   [[nodiscard]] double free_flow(RoadId road) const { return free_flow_[road]; }  ///< s
   [[nodiscard]] RoadEnd end(RoadId road) const { return ends_[road]; }
   /// Vehicles. Never fewer than are in service when its lanes let pass what they can, each of them for its
@@ -81,6 +85,7 @@ class Servers {
   void measure_roads();
   void make_movements();
   void find_links();
+  [[nodiscard]] std::vector<std::size_t> links_of(SignalId signal, MovementId movement) const;
   /// The delay at the end of a road that this signal alone lets vehicles onto; nothing for other roads.
   [[nodiscard]] std::optional<double> coordinated(SignalId signal, const SignalProgramme& programme,
                                                   MovementId movement) const;
@@ -103,6 +108,7 @@ class Servers {
   IdVector<RoadId, double> storage_;
   IdVector<RoadId, SignalId> fed_by_;  ///< the signal of all turns onto the road; invalid: none, or not all
   IdVector<SignalId, std::vector<Link>> links_;
+  SignalWaits signal_waits_{0};
 };
 
 }  // namespace thalweg

@@ -30,6 +30,7 @@ void TimedCosts::refresh(const Expectation& expected, Millis now) {
     late_[b] = expected.residuals.late_share(ahead);
   }
   take_conditions(expected.conditions);
+  take_signals(expected);
   for (std::size_t v = 0; v < graph_.turns().vertex_count(); ++v) refresh_vertex(expected, VertexId{v});
 }
 
@@ -44,6 +45,39 @@ void TimedCosts::take_conditions(const Conditions& conditions) {
   for (const RoadId road : conditions.roads())
     slower_[road.value] = std::max(0.0, conditions.crossing(road) - to_seconds(road_times_[road]));
   for (const ArcId turn : conditions.closed_turns(graph_)) is_closed_[turn.value] = true;
+}
+
+void TimedCosts::take_signals(const Expectation& expected) {
+  const Servers& servers = expected.servers;
+  const Digraph& turns = graph_.turns();
+  forecast_ = &expected.forecast;
+  signal_waits_ = &servers.signal_waits();
+  if (movements_.empty()) {
+    for (std::size_t i = 0; i < turns.arc_count(); ++i) {
+      const auto [tail, head] = turns.ends(ArcId{i});
+      movements_.push_back(servers.find(graph_.road(tail), graph_.road(head)));
+    }
+  }
+  signals_.assign(movements_.size(), {});
+  for (std::size_t i = 0; i < movements_.size(); ++i) {
+    if (is_closed_[i] || !signal_waits_->knows(movements_[i])) continue;
+    const Movement& movement = servers[movements_[i]];
+    const double through = expected.level.junction_pace() * movement.through;
+    signals_[i] = {.movement = movements_[i], .after_line = from_seconds(movement.delay + through)};
+  }
+}
+
+Millis TimedCosts::in_phase(ArcId turn, Millis entry, Millis out) const {
+  constexpr double longest_queue =
+      10;  // s: who waits for so long is let go when the queue is, whatever is shown
+  const AtSignal& signal = signals_[turn.value];
+  const Millis at_line = out - signal.after_line;
+  const double ahead = to_seconds(at_line - now_);
+  const RoadId road = graph_.road(graph_.turns().ends(turn).tail);
+  const double share = 1 - forecast_->queue(road, forecast_->bin_at(ahead)) / longest_queue;
+  if (share <= 0) return out;
+  const double deviation = signal_waits_->deviation(signal.movement, at_line, ahead);
+  return std::max(entry + free_flow_[turn.value], out + from_seconds(share * deviation));
 }
 
 void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
@@ -110,7 +144,8 @@ void TimedCosts::refresh_turn(ArcId turn, double lasting, double passing) {
     cost[b] = before;
     least = std::min(least, before);
   }
-  least_[turn.value] = least;
+  const Millis earliest = least - from_seconds(signal_waits_->mean(signals_[turn.value].movement)) - 1;
+  least_[turn.value] = signals_[turn.value].movement.valid() ? std::max<Millis>(free_flow, earliest) : least;
 }
 
 }  // namespace thalweg

@@ -34,7 +34,8 @@ struct Expectation {
 
 /// The time of every turn by the time of entering the road that is left, as one class will find it: the
 /// paper's f(t, I) over the horizon of a forecast. Piecewise linear, and made so that leaving later never
-/// arrives earlier; before now it is that of now, after the horizon that of its end.
+/// arrives earlier; before now it is that of now, after the horizon that of its end. On top, where a signal
+/// shows the same in every cycle and no queue stands: what it shows at that time (SignalWaits).
 class TimedCosts {
  public:
   TimedCosts(const Network& network, const RoadGraph& graph);
@@ -53,7 +54,8 @@ class TimedCosts {
     const Millis within = since - static_cast<Millis>(bin) * bin_;
     const std::int32_t* cost = costs_.data() + turn.value * nodes_ + bin;
     const Millis at = cost[0];
-    return entry + (within == 0 ? at : at + (cost[1] - at) * within / bin_);
+    const Millis out = entry + (within == 0 ? at : at + (cost[1] - at) * within / bin_);
+    return signals_[turn.value].movement.valid() ? in_phase(turn, entry, out) : out;
   }
   /// Nobody in the way: never above what `arrive` takes. By turn.
   [[nodiscard]] const std::vector<Millis>& free_flow() const { return free_flow_; }
@@ -70,6 +72,16 @@ class TimedCosts {
   }
 
  private:
+  /// A turn whose signal is known.
+  struct AtSignal {
+    MovementId movement{};  ///< invalid: it is not
+    Millis after_line =
+        0;  ///< from coming to the stop line, nobody before it, to the end of the turn, in the mean
+  };
+  void take_signals(const Expectation& expected);
+  /// When one that entered the road at `entry` has made the turn, who would have at `out` in the mean of a
+  /// cycle.
+  [[nodiscard]] Millis in_phase(ArcId turn, Millis entry, Millis out) const;
   void refresh_vertex(const Expectation& expected, VertexId v);
   /// `lasting`, `passing`: s within the junction.
   void refresh_turn(ArcId turn, double lasting, double passing);
@@ -89,7 +101,11 @@ class TimedCosts {
   std::vector<double> late_;         ///< share of the late ones that counts yet, by bin
   std::vector<double> slower_;       ///< s above free flow, by road
   std::vector<bool> is_closed_;      ///< by turn
-  std::vector<double> delay_;        ///< scratch: s at one road, by bin
+  const QueueTable* forecast_ = nullptr;
+  const SignalWaits* signal_waits_ = nullptr;
+  std::vector<MovementId> movements_;  ///< by turn
+  std::vector<AtSignal> signals_;      ///< by turn
+  std::vector<double> delay_;          ///< scratch: s at one road, by bin
 };
 
 }  // namespace thalweg

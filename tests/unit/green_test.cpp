@@ -66,5 +66,19 @@ TEST_F(Coordinated, NothingIsSaidOfALinkThatNeverOpens) {
   EXPECT_FALSE(wait(programme({})));
 }
 
+TEST(SecondsUntilOpen, RunDownToGreenAndBeginAnew) {
+  const auto p = programme({{.duration = 2'000, .state = "rG"}, {.duration = 3'000, .state = "Gr"}});
+  constexpr std::array<std::size_t, 1> first{0};
+  EXPECT_EQ(seconds_until_open(p, first), (std::vector<std::size_t>{2, 1, 0, 0, 0}));
+  EXPECT_EQ(seconds_until_open(p, second_line), (std::vector<std::size_t>{0, 0, 3, 2, 1}));
+  EXPECT_EQ(seconds_until_open(p, std::array<std::size_t, 2>{0, 1}), std::vector<std::size_t>(5, 0));
+  EXPECT_EQ(seconds_until_open(p, std::array<std::size_t, 1>{7}), std::vector<std::size_t>(5, 5)) << "never";
+}
+
+TEST(SecondsUntilOpen, AreUnknownWhereThereAreNone) {
+  EXPECT_TRUE(seconds_until_open(programme({}), second_line).empty());
+  EXPECT_TRUE(seconds_until_open(programme({{.duration = 2'500, .state = "rG"}}), second_line).empty());
+}
+
 }  // namespace
 }  // namespace thalweg::testing

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "network/read_network.hpp"
 #include "support/expecting.hpp"
 
 namespace thalweg::testing {
@@ -133,6 +134,87 @@ TEST_F(TimedCostsTest, KnowWhatIsClosedAndWhatIsSlow) {
   EXPECT_EQ(costs.arrive(turn("AB"), 10'000), 40'000);
   EXPECT_EQ(costs.arrive(turn("BC"), 10'000), 160'000) << "300 m at 2 m/s";
   EXPECT_EQ(costs.least()[turn("BC").value], 150'000) << "nobody will find it faster";
+}
+
+//     A --150 m--> B --> C     at B a signal, from 0 s on: 30 s red, 30 s green
+constexpr const char* signalled = R"(<net>
+  <edge id=":B_0" function="internal"><lane id=":B_0_0" index="0" length="20" speed="10"/></edge>
+  <edge id="AB" from="A" to="B"><lane id="AB_0" index="0" length="150" speed="10"/></edge>
+  <edge id="BC" from="B" to="C"><lane id="BC_0" index="0" length="150" speed="10"/></edge>
+  <tlLogic id="B" type="static" programID="0" offset="0">
+    <phase duration="30" state="r"/><phase duration="30" state="G"/></tlLogic>
+  <junction id="A" x="0" y="0"/><junction id="B" x="0" y="0"/><junction id="C" x="0" y="0"/>
+  <connection from="AB" to="BC" fromLane="0" toLane="0" via=":B_0_0" tl="B" linkIndex="0" dir="s" state="O"/>
+  <connection from=":B_0" to="BC" fromLane="0" toLane="0" dir="s" state="M"/>
+</net>)";
+
+class AtASignal : public ::testing::Test {
+ protected:
+  AtASignal() {
+    SignalProgramme programme = net.signals[SignalId{0U}].programmes.front();
+    programme.cycle_start = 0;
+    servers.set_programme(SignalId{0U}, programme);
+  }
+  /// When who enters AB at this time is on BC.
+  [[nodiscard]] double arrival(Millis entry) const { return to_seconds(costs.arrive(turn, entry)); }
+  /// So many stand at the end of AB, at most 18, and the others wait to get on it.
+  void refresh(std::size_t queue) {
+    Driven driven(net, 40);
+    std::vector<Driven::At> places;
+    for (std::size_t i = 0; i < queue; ++i) {
+      driven.load(i, "ABC");
+      if (i < 18) places.push_back({.vehicle = i, .road = "AB", .metres = 145});
+    }
+    driven.look(places);
+    queues.run(driven.fleet, level, 0);
+    costs.refresh({.forecast = queues.table(),
+                   .bookings = bookings,
+                   .servers = servers,
+                   .level = level,
+                   .residuals = residuals,
+                   .conditions = unchanged},
+                  0);
+  }
+
+  Network net = parse_network(signalled);
+  RoadGraph graph{net, VehicleClass::passenger};
+  ArcId turn = graph.turns().out(vertex(net, graph, "AB")).front().id;
+  Servers servers{net};
+  Level level{net};
+  Residuals residuals{net};
+  Discharge discharge{net, servers, crowd(40)};
+  QueueForecast queues{net, servers, discharge, {.repeated = 0}};
+  Bookings bookings{net, queues.table()};
+  Conditions unchanged{net};
+  TimedCosts costs{net, graph};
+};
+
+TEST_F(AtASignal, CostsKnowWhatItShows) {
+  refresh(0);
+  const double in_mean = 15 + 30 * 30 / 120.0 + 1 + 2;  // to the line, the mean wait, the junction
+  const double mean = (30 * 31 / 2) / 60.0;             // of 30, 29 .. 1 and thirty times 0
+  EXPECT_NEAR(arrival(0), in_mean + 15 - mean, 1) << "comes in the middle of the red";
+  EXPECT_NEAR(arrival(30'000), 30 + in_mean - mean, 1) << "in the middle of the green";
+  EXPECT_NEAR(arrival(45'500), 45.5 + in_mean, 8) << "as it closes: nobody can tell";
+  EXPECT_NEAR(arrival(1'000'000), 1000 + in_mean, 0.1) << "nor in a quarter of an hour";
+  double last = 0;
+  for (Millis entry = 0; entry < 600'000; entry += 250) {
+    EXPECT_GE(arrival(entry), last - 0.1) << entry << ": nobody passes";
+    EXPECT_GE(costs.arrive(turn, entry), entry + costs.least()[turn.value]);
+    last = arrival(entry);
+  }
+}
+
+TEST_F(AtASignal, CostsAreThoseOfTheQueueWhereOneStands) {
+  refresh(40);
+  const double early = arrival(0);
+  for (const Millis start : {Millis{10'000}, Millis{40'000}}) {
+    SignalProgramme programme = net.signals[SignalId{0U}].programmes.front();
+    programme.cycle_start = start;
+    servers.set_programme(SignalId{0U}, programme);
+    refresh(40);
+    EXPECT_EQ(arrival(0), early) << "whatever is shown when it gets there";
+  }
 }
 
 }  // namespace
