@@ -53,6 +53,7 @@ void TimedCosts::take_signals(const Expectation& expected) {
   forecast_ = &expected.forecast;
   signal_waits_ = &servers.signal_waits();
   if (movements_.empty()) {
+    movements_.reserve(turns.arc_count());
     for (std::size_t i = 0; i < turns.arc_count(); ++i) {
       const auto [tail, head] = turns.ends(ArcId{i});
       movements_.push_back(servers.find(graph_.road(tail), graph_.road(head)));

@@ -38,6 +38,12 @@ class GridLight(support.RunCase):
         for file, text, different in zip(files, first, other):
             self.assertNotEqual(text, different, f"{file}: another seed should give another run")
 
+    def test_who_knows_what_signals_show_is_earlier(self):
+        """All signals of this city show the same in every cycle, and hardly anybody queues."""
+        known, mean = (self.run_city("-c", LIGHT, *more).summary["commute_mean"]
+                       for more in ((), ("--no-signal-phases",)))
+        self.assertLess(known, 0.95 * mean)
+
     def test_decisions(self):
         """The log's routes are connected, end where the trip ends, and predict arrivals that make sense."""
         run = self.run_city("-c", LIGHT)

@@ -24,6 +24,7 @@ std::vector<int> run(Calendar& calendar) {
 TEST(EventCalendar, HasTheOrderOfAStableSortByTenths) {
   std::mt19937 dice(1);
   std::vector<Numbered> events;
+  events.reserve(500);
   for (int i = 0; i < 500; ++i)
     events.push_back({.time = static_cast<double>(dice() % 1000) / 97, .number = i});
   Calendar calendar(20);
@@ -35,6 +36,7 @@ TEST(EventCalendar, HasTheOrderOfAStableSortByTenths) {
       return static_cast<int>(a.time * 10) < static_cast<int>(b.time * 10);
     });
     std::vector<int> expected;
+    expected.reserve(sorted.size());
     for (const Numbered& event : sorted) expected.push_back(event.number);
     EXPECT_EQ(run(calendar), expected);
   }

@@ -192,7 +192,7 @@ class AtASignal : public ::testing::Test {
 TEST_F(AtASignal, CostsKnowWhatItShows) {
   refresh(0);
   const double in_mean = 15 + 30 * 30 / 120.0 + 1 + 2;  // to the line, the mean wait, the junction
-  const double mean = (30 * 31 / 2) / 60.0;             // of 30, 29 .. 1 and thirty times 0
+  const double mean = 465 / 60.0;                       // of 30, 29 .. 1 and thirty times 0
   EXPECT_NEAR(arrival(0), in_mean + 15 - mean, 1) << "comes in the middle of the red";
   EXPECT_NEAR(arrival(30'000), 30 + in_mean - mean, 1) << "in the middle of the green";
   EXPECT_NEAR(arrival(45'500), 45.5 + in_mean, 8) << "as it closes: nobody can tell";
