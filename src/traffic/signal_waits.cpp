@@ -43,17 +43,15 @@ void SignalWaits::set(MovementId movement, std::span<const std::size_t> until_op
   const bool ever_opens = std::find(until_open.begin(), until_open.end(), std::size_t{0}) != until_open.end();
   if (!ever_opens || mean <= 0) return clear(movement);
   for (double& value : deviations) value -= mean;
-  const auto own = std::find_if(tables_.begin(), tables_.end(),
-                                [&](const Table& table) { return table.movement == movement.value; });
-  const std::size_t index = static_cast<std::size_t>(own - tables_.begin());
-  if (own == tables_.end())
-    tables_.push_back({.movement = movement.value, .start = 0, .mean = 0, .deviation = {}});
-  Table& table = tables_[index];
+  if (table_of_[movement] == none) {
+    table_of_[movement] = static_cast<std::uint32_t>(tables_.size());
+    tables_.emplace_back();
+  }
+  Table& table = tables_[table_of_[movement]];
   table.start = start;
   table.mean = mean;
   for (std::size_t level = 0; level < levels; ++level)
     table.deviation[level] = smoothed(deviations, std::exp2(static_cast<double>(level)));
-  table_of_[movement] = static_cast<std::uint32_t>(index);
 }
 
 double SignalWaits::deviation(MovementId movement, Millis time, double ahead) const {

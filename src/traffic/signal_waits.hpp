@@ -15,10 +15,9 @@ namespace thalweg {
 /// How much longer or shorter than in the mean one waits at a signal, by the second of its cycle in which one
 /// comes to the stop line and nobody is before it: who comes in green passes, who comes as it closes waits
 /// for all of the red. The farther ahead that is, the less is known of the second; it counts as normally
-/// distributed around the one that is foretold, and far ahead nothing is left but the mean. Without errors in
-/// the prediction this is what drivers gain who are told what the signals will show (SPaT messages; cf.
-/// Bodenheimer et al., IEEE VNC 2014, on how well that can be known). Only of programmes whose phases have
-/// fixed lengths.
+/// distributed around the one that is foretold, and far ahead nothing is left but the mean. It is what
+/// signals can tell drivers today (SPaT messages; cf. Bodenheimer, Brauer, Eckhoff, German, IEEE VNC 2014).
+/// Only of programmes whose phases have fixed lengths.
 class SignalWaits {
  public:
   explicit SignalWaits(std::size_t movements) : table_of_(movements, none) {}
@@ -26,27 +25,26 @@ class SignalWaits {
   /// `until_open`: for each second of the cycle, s until the movement may go (seconds_until_open); the cycle
   /// began at `start`, and begins anew without end.
   void set(MovementId movement, std::span<const std::size_t> until_open, Millis start);
-  /// Always the mean.
-  void clear(MovementId movement) { table_of_[movement] = none; }
-
-  [[nodiscard]] bool knows(MovementId movement) const {
-    return movement.valid() && table_of_[movement] != none;
+  /// Nothing is known of it any more.
+  void clear(MovementId movement) {
+    if (table_of_[movement] != none) tables_[table_of_[movement]].mean = 0;
   }
+
+  [[nodiscard]] bool knows(MovementId movement) const { return mean(movement) > 0; }
   /// s above the mean of one that comes at `time` to the stop line of a movement that is known; looked at
   /// from `ahead` s before. Who comes later never leaves earlier, as far as `ahead` is the same.
   [[nodiscard]] double deviation(MovementId movement, Millis time, double ahead) const;
-  /// The most that `deviation` is below 0: the mean.
+  /// The most that `deviation` is below 0; 0 of a movement that is not known.
   [[nodiscard]] double mean(MovementId movement) const {
-    return knows(movement) ? tables_[table_of_[movement]].mean : 0;
+    return movement.valid() && table_of_[movement] != none ? tables_[table_of_[movement]].mean : 0;
   }
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
   static constexpr std::size_t levels = 5;  ///< standard deviations of 1, 2, 4, 8, 16 s; of 32: only the mean
   struct Table {
-    std::size_t movement;  ///< whose it is
     Millis start;
-    double mean;                                       ///< s
+    double mean;                                       ///< s; 0: not known
     std::array<std::vector<float>, levels> deviation;  ///< s, by the second
   };
 
