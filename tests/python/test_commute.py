@@ -17,6 +17,7 @@ import support
 from support import PROJECT, write
 
 sys.path.insert(0, str(PROJECT / "tools"))
+import commute_report  # noqa: E402
 import commute_table as table  # noqa: E402
 
 FAKE = r"""#!/usr/bin/env python3
@@ -57,12 +58,17 @@ def line(scenario, arm, seed, commute, router="", date="2026-01-01T00:00:00", **
             "reroutings": "0", "router_cpu_s": "0", "simulation_cpu_s": "4", "date": date, **more}
 
 
-def tuning(scenario, best="device:period=120,probability=0.5"):
+def tuning_lines(scenario, best="device:period=120,probability=0.5"):
     """All settings at 200 and 220 s, `best` at 150 and 160."""
-    return [line(scenario, arm, seed, value) for arm in table.tuning_arms()
+    return [line(scenario, arm, seed, value) for arm in table.tuning().arms
             for seed, value in ((1, 150), (2, 160)) if arm == best] + \
-           [line(scenario, arm, seed, value) for arm in table.tuning_arms()
+           [line(scenario, arm, seed, value) for arm in table.tuning().arms
             for seed, value in ((1, 200), (2, 220)) if arm != best]
+
+
+def rows(**groups):
+    """Of scenarios.csv."""
+    return [{"name": name, "group": group, "tuning": ""} for name, group in groups.items()]
 
 
 class Pure(support.TestCase):
@@ -75,8 +81,10 @@ class Pure(support.TestCase):
             table.canonical("device:30")
 
     def test_tuning_arms(self):
-        arms = table.tuning_arms()
+        arms = table.tuning().arms
         self.assertEqual((len(arms), len(set(arms))), (15, 15))
+        few = table.tuning("few").arms
+        self.assertEqual((len(set(few)), set(few) - set(arms)), (6, set()))
         self.assertIn("device", arms)
         self.assertEqual(arms, table.split_arms(",".join(arms)))
 
@@ -85,7 +93,7 @@ class Pure(support.TestCase):
         for wrong in ("", "3-1", "x", "1-", "-2"):
             with self.assertRaises(table.Mistake, msg=wrong):
                 table.split_seeds(wrong)
-        self.assertEqual(table.ranges([7, 1, 2, 3, 9]), "1-3, 7, 9")
+        self.assertEqual(commute_report.ranges([7, 1, 2, 3, 9]), "1-3, 7, 9")
 
     def test_lines(self):
         file = self.folder() / "sub" / "runs.csv"
@@ -101,13 +109,15 @@ class Pure(support.TestCase):
             table.read(file)
 
     def test_tuned(self):
-        lines = tuning("a")
+        lines = tuning_lines("a")
         self.assertEqual(table.tuned(lines), "device:period=120,probability=0.5")
         better_elsewhere = [line("a", "device", 3, 1)]  # no tuning seed: it does not count
         self.assertEqual(table.tuned(lines + better_elsewhere), "device:period=120,probability=0.5")
         with self.assertRaises(LookupError) as error:
             table.tuned([one for one in lines if (one["arm"], one["seed"]) != ("device", "2")])
         self.assertEqual(error.exception.args[0], ["device"])
+        few = [line("a", arm, 1, value) for value, arm in enumerate(table.tuning("few").arms)]
+        self.assertEqual(table.tuned(few, "few"), "device")
 
     def test_current(self):
         old = [line("a", "forecast", 1, 9, router="old"), line("b", "forecast", 1, 9, router="old"),
@@ -119,44 +129,65 @@ class Pure(support.TestCase):
         self.assertEqual(table.current([*new, other, *old], "--period 30"), [other])
 
     def test_statistics(self):
-        self.assertAlmostEqual(table.half_width([100, 110, 120]), 4.303 * 10 / 3**0.5)
-        self.assertIsNone(table.half_width([100]))
-        self.assertEqual(table.ratio({1: 50, 2: 70, 3: 999}, {1: 100, 2: 140, 4: 1}), 0.5)
-        self.assertIsNone(table.ratio({1: 50}, {2: 50}))
+        self.assertAlmostEqual(commute_report.half_width([100, 110, 120]), 4.303 * 10 / 3**0.5)
+        self.assertIsNone(commute_report.half_width([100]))
+        self.assertEqual(commute_report.ratio({1: 50, 2: 70, 3: 999}, {1: 100, 2: 140, 4: 1}), 0.5)
+        self.assertIsNone(commute_report.ratio({1: 50}, {2: 50}))
 
-    def test_report(self):
-        lines = [*tuning("a"), *tuning("b", "device:threshold.constant=30")]
+    def judged_lines(self):
+        """a: forecast 110, tuned 120, static 200; b: forecast 130, tuned 120, static 100. The tuning seeds are there."""
+        lines = [*tuning_lines("a"), *tuning_lines("b", "device:threshold.constant=30")]
         for scenario, tuned, static, forecast in (("a", "device:period=120,probability=0.5", 200, (100, 110, 120)),
                                                   ("b", "device:threshold.constant=30", 100, (120, 130, 140))):
             for seed in (3, 4, 5):
                 lines += [line(scenario, tuned, seed, 120), line(scenario, "static", seed, static, teleports="2"),
                           line(scenario, "forecast", seed, forecast[seed - 3], router="abc", router_cpu_s="1")]
-        text = table.report(lines, [("a", "population"), ("b", "population"), ("absent", "city")], seeds=[3, 4, 5])
-        # a: 110 / 120; b: 130 / 120, against static 130 / 100
+        return lines
+
+    def test_report_of_arms(self):
+        groups = rows(a="population", b="population", absent="city")
+        text = commute_report.Report(self.judged_lines(), groups).long()
         self.assertIn("- `forecast`: 2 cities; better than `device-tuned` in 1 of 2 (50 %); geometric mean of the ratio "
                       f"{(110 / 120 * 130 / 120) ** 0.5:.3f}; worst against the best baseline: b, 1.300 of `static`", text)
         self.assertIn("| a | `forecast` | 3-5 | 110.0 | ±24.8 | 0.917 | 0.917 | 0.0 | 0.0 | 20 % |", text)
+        # without the seeds that chose its setting, where it had 150 and 160
         self.assertIn("| a | `device-tuned` (device:period=120,probability=0.5) * | 3-5 | 120.0 | ±0.0 | 1.000 |", text)
         self.assertIn("| b | `static` * | 3-5 | 100.0 | ±0.0 | 1.000 | 0.833 | 2.0 | 0.0 | - |", text)
-        self.assertRegex(text, r"^SUMO 1.28.0; `forecast` of src abc; 2026-01-01 to 2026-01-01\.\n")
-        self.assertNotIn("### city", text)
-        newer = line("a", "forecast", 3, 90, router="def", date="2026-01-02T00:00:00")
-        text = table.report([*lines, newer], [("a", "population"), ("b", "population")], seeds=[3, 4, 5])
-        self.assertRegex(text, r"^SUMO 1.28.0; `forecast` of src abc, def; ")
-        self.assertIn("| a | `forecast` | 3 | 90.0 | - | 0.750 |", text)
-        self.assertIn("| b | `forecast` of abc | 3-5 | 130.0 |", text)
+        self.assertIn("\nMade by `tools/commute --report` of [runs.csv](runs.csv). SUMO 1.28.0; `forecast` of src abc; "
+                      "2026-01-01 to 2026-01-01.\n", text)
+        self.assertNotIn("## city", text)
         with self.assertRaisesRegex(table.Mistake, "no run"):
-            table.report(lines, [("absent", "city")])
+            commute_report.Report(self.judged_lines(), rows(absent="city"))
+
+    def test_report_names_older_routers(self):
+        newer = line("a", "forecast", 3, 90, router="def", date="2026-01-02T00:00:00")
+        report = commute_report.Report([*self.judged_lines(), newer], rows(a="population", b="population"), [3, 4, 5])
+        self.assertIn("`forecast` of src abc, def; ", report.origin())
+        self.assertIn("| a | `forecast` | 3 | 90.0 | - | 0.750 |", report.long())
+        self.assertIn("| b | `forecast` of abc | 3-5 | 130.0 |", report.long())
+
+    def test_report_of_scenarios(self):
+        lines = [*self.judged_lines(), line("a", "forecast", 9, 1, router="abc"),  # a seed without the tuned device
+                 line("c", "forecast", 1, 70, router="abc"), line("c", "static", 1, 100)]  # nothing tuned
+        report = commute_report.Report(lines, rows(a="city", b="population", c="sample"))
+        shown = report.short().splitlines()
+        self.assertIn("| a | 3-5 | - | 200.0 | - | - | 120.0 | device:period=120,probability=0.5 | 110.0 ±24.8 "
+                      "| 10.0 ±24.8 | 2 of 3 | 0.917 | 0.917 (device-tuned) | 0.0, 0.0 | 16 % |", shown)
+        self.assertIn("| c | 1 | - | 100.0 | - | - | - | - | 70.0 | - | - | - | 0.700 (static) | -, 0.0 | 0 % |", shown)
+        self.assertIn("- `forecast`: 2 scenarios; better than `device-tuned` in 1 of 1 (100 %); geometric mean of the "
+                      "ratio 0.917; worst against the best baseline: a, 0.917 of `device-tuned`", shown)
+        self.assertIn("- `forecast`: 1 generated cities; better than `device-tuned` in 0 of 1 (0 %); geometric mean of "
+                      "the ratio 1.083; worst against the best baseline: b, 1.300 of `static`", shown)
 
     def test_markers(self):
-        page = f"before\n{table.BEGIN}\nold\n{table.END}\nafter\n"
-        self.assertEqual(table.between_markers(page, "new\n\n"), page.replace("old", "new"))
-        for wrong in ("", f"{table.END}{table.BEGIN}", page + page):
+        page = f"before\n{commute_report.BEGIN}\nold\n{commute_report.END}\nafter\n"
+        self.assertEqual(commute_report.between_markers(page, "new\n\n"), page.replace("old", "new"))
+        for wrong in ("", f"{commute_report.END}{commute_report.BEGIN}", page + page):
             with self.assertRaises(table.Mistake):
-                table.between_markers(wrong, "new")
+                commute_report.between_markers(wrong, "new")
 
     def test_page_has_the_markers(self):
-        table.between_markers((PROJECT / "docs" / "commute.md").read_text(encoding="utf-8"), "")
+        commute_report.between_markers((PROJECT / "docs" / "commute.md").read_text(encoding="utf-8"), "")
 
     def test_scenarios_are_the_population_and_the_samples(self):
         def names(file):
@@ -173,8 +204,8 @@ class Matrix(support.TestCase):
     def setUp(self):
         self.commute, self.work = tool("commute"), self.folder()
         self.commute.RUNS, self.commute.SCENARIOS = self.work / "runs.csv", write(
-            self.work / "scenarios.csv", "name,group,configuration,arguments\nc1,city,c.sumocfg,\n"
-                                         "c2,city,c.sumocfg,-r b.xml\np1,population,p1.sumocfg,\n")
+            self.work / "scenarios.csv", "name,group,configuration,arguments,tuning\nc1,city,c.sumocfg,,\n"
+                                         "c2,city,c.sumocfg,-r b.xml,few\np1,population,p1.sumocfg,,\n")
         self.commute.router_version = lambda: "abc"
         write(self.work / "c.sumocfg", '<c><net-file value="n.xml.gz"/><route-files value="a.xml, b.xml"/></c>')
         (self.work / "n.xml.gz").write_bytes(gzip.compress(b"<net/>"))
@@ -239,9 +270,10 @@ class Matrix(support.TestCase):
     def test_tune(self):
         tuned = ("--arms", "device-tuned", "--seeds", "3", "--scenarios", "c1")
         self.assertRegex(self.call(*tuned, code=1)[0], r"Error: c1: device-tuned is not known yet, 15 of 15 (?s:.*)"
-                                                       r"tools/commute --tune --seeds 1,2 --scenarios c1\n")
-        self.call("--tune", "--scenarios", "c1")
-        self.assertEqual(len(table.read(self.commute.RUNS)), 30)
+                                                       r"tools/commute --tune --scenarios c1\n")
+        self.call("--tune", "--scenarios", "c1,c2")
+        self.assertEqual([sum(one["scenario"] == name for one in table.read(self.commute.RUNS)) for name in ("c1", "c2")],
+                         [30, 6])
         calls = self.call(*tuned)[1]  # the pretended commute grows with the arm's name: `device` is the least
         self.assertEqual([re.search("--arms (.*?) --seed", call)[1] for call in calls], ["device"])
 
