@@ -113,7 +113,7 @@ class SumoSession : public Simulation {
         if (logic.programID != programme.id) continue;
         for (const auto& phase : logic.phases)
           programme.phases.push_back({.duration = from_seconds(phase->duration), .state = phase->state});
-        if (logic.type == fixed_lengths)
+        if (logic.type == fixed_lengths && !is_mesoscopic_)  // who is mesoscopic mostly ignores them
           programme.cycle_start = cycle_start(id, logic.currentPhaseIndex, programme.phases);
       }
     } catch (const libsumo::TraCIException&) {  // a rail signal, or not in this net
