@@ -106,7 +106,7 @@ class Judged:
         lines = {arm: [line for line in self.arms.get(arm, []) if int(line["seed"]) in own] for arm in (MAIN, TUNED)}
 
         def mean(arm):
-            values = {seed: self.commute.get(arm, {}).get(seed) for seed in own if seed in self.commute.get(arm, {})}
+            values = {seed: value for seed, value in self.commute.get(arm, {}).items() if seed in own}
             if not values:
                 return "-"
             return f"{statistics.fmean(values.values()):.1f}" + ("" if values.keys() == own.keys()

@@ -39,7 +39,8 @@ class ForecastStrategy : public Strategy {
 
   void watch(const TrafficState& state) override {
     if (!foresight_)
-      foresight_.emplace(state, memory_, ForecastOptions{.tolls = manners_.toll > 0}, signal_phases_);
+      foresight_.emplace(state, memory_, ForecastOptions{.tolls = manners_.toll > 0},
+                         ServerOptions{.signal_phases = signal_phases_});
     if (!foresight_->watch(state)) return;
     rule_.caution = foresight_->hindsight().caution();
     for (auto& seen : classes_) seen.is_fresh = false;

@@ -7,12 +7,11 @@
 namespace thalweg {
 
 Foresight::Foresight(const TrafficState& first, const Memory* memory, const ForecastOptions& options,
-                     bool signal_phases)
+                     const ServerOptions& servers)
     : network_(first.network),
-      signal_phases_(signal_phases),
       conditions_(first.conditions),
       fleet_(first.fleet),
-      servers_(first.network),
+      servers_(first.network, servers),
       discharge_(first.network, servers_, first.demand),
       forecast_(first.network, servers_, discharge_, options),
       level_(first.network),
@@ -29,11 +28,8 @@ Foresight::Foresight(const TrafficState& first, const Memory* memory, const Fore
 
 bool Foresight::watch(const TrafficState& state) {
   now_ = state.now;
-  for (const SignalId signal : state.changed_signals) {
-    SignalProgramme programme = state.programmes[signal];
-    if (!signal_phases_) programme.cycle_start.reset();
-    servers_.set_programme(signal, programme);
-  }
+  for (const SignalId signal : state.changed_signals)
+    servers_.set_programme(signal, state.programmes[signal]);
   for (const RoadId road : state.conditions.roads())
     servers_.set_free_flow(road, state.conditions.crossing(road));
   discharge_.observe(state.fleet, state.now);

@@ -21,9 +21,8 @@ namespace thalweg {
 class Foresight {
  public:
   /// With a memory, those who set out on the day before are expected again.
-  /// `signal_phases`: what signals show at which time is known (SignalWaits).
   explicit Foresight(const TrafficState& first, const Memory* memory = nullptr,
-                     const ForecastOptions& options = {}, bool signal_phases = true);
+                     const ForecastOptions& options = {}, const ServerOptions& servers = {});
   Foresight(const Foresight&) = delete;  // its parts refer to each other
   Foresight& operator=(const Foresight&) = delete;
 
@@ -74,7 +73,6 @@ class Foresight {
   static constexpr Millis round = 15'000;
 
   const Network& network_;
-  bool signal_phases_;
   const Conditions& conditions_;
   const Fleet& fleet_;
   Servers servers_;

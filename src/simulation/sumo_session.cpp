@@ -161,8 +161,7 @@ class SumoSession : public Simulation {
  private:
   static constexpr int fixed_lengths = 0;  // of TraCILogic::type: TrafficLightType::STATIC
 
-  [[nodiscard]] Millis cycle_start(const std::string& signal, int index,
-                                   std::span<const SignalPhase> phases) const {
+  static Millis cycle_start(const std::string& signal, int index, std::span<const SignalPhase> phases) {
     Millis end_of_phase = 0;  // in the cycle
     for (const SignalPhase& phase : phases.first(static_cast<std::size_t>(index) + 1))
       end_of_phase += phase.duration;

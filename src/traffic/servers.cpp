@@ -166,7 +166,7 @@ void Servers::set_programme(SignalId signal, const SignalProgramme& programme) {
     const double at_any_time = sum.delay / sum.links;
     const auto when_let_in = coordinated(signal, programme, movement);
     movements_[movement].delay = when_let_in.value_or(at_any_time) + 1;
-    if (!when_let_in && programme.cycle_start)
+    if (options_.signal_phases && programme.cycle_start && !when_let_in)
       signal_waits_.set(movement, seconds_until_open(programme, links_of(signal, movement)),
                         *programme.cycle_start);
     refresh_road(movements_[movement].from);

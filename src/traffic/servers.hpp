@@ -33,6 +33,7 @@ struct ServerOptions {
   double least_share = 0.03;      ///< a signal lets somebody pass in every cycle
   double space = 7.5;             ///< m of a lane that a waiting vehicle takes
   double least_storage = 2;       ///< vehicles: on the shortest road one arrives while one leaves
+  bool signal_phases = true;      ///< it is known what signals show at which time (signal_waits)
 };
 
 /// Every lane as a server of those that leave it: how long one takes, and how many find room to wait.

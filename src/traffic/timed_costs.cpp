@@ -59,25 +59,24 @@ void TimedCosts::take_signals(const Expectation& expected) {
       movements_.push_back(servers.find(graph_.road(tail), graph_.road(head)));
     }
   }
-  signals_.assign(movements_.size(), {});
+  after_line_.assign(movements_.size(), -1);
   for (std::size_t i = 0; i < movements_.size(); ++i) {
     if (is_closed_[i] || !signal_waits_->knows(movements_[i])) continue;
     const Movement& movement = servers[movements_[i]];
     const double through = expected.level.junction_pace() * movement.through;
-    signals_[i] = {.movement = movements_[i], .after_line = from_seconds(movement.delay + through)};
+    after_line_[i] = from_seconds(movement.delay + through);
   }
 }
 
 Millis TimedCosts::in_phase(ArcId turn, Millis entry, Millis out) const {
-  constexpr double longest_queue =
-      10;  // s: who waits for so long is let go when the queue is, whatever is shown
-  const AtSignal& signal = signals_[turn.value];
-  const Millis at_line = out - signal.after_line;
+  // Who waits for longer, in s, is let go when the queue is, whatever is shown.
+  constexpr double longest_queue = 10;
+  const Millis at_line = out - after_line_[turn.value];
   const double ahead = to_seconds(at_line - now_);
   const RoadId road = graph_.road(graph_.turns().ends(turn).tail);
   const double share = 1 - forecast_->queue(road, forecast_->bin_at(ahead)) / longest_queue;
   if (share <= 0) return out;
-  const double deviation = signal_waits_->deviation(signal.movement, at_line, ahead);
+  const double deviation = signal_waits_->deviation(movements_[turn.value], at_line, ahead);
   return std::max(entry + free_flow_[turn.value], out + from_seconds(share * deviation));
 }
 
@@ -145,8 +144,10 @@ void TimedCosts::refresh_turn(ArcId turn, double lasting, double passing) {
     cost[b] = before;
     least = std::min(least, before);
   }
-  const Millis earliest = least - from_seconds(signal_waits_->mean(signals_[turn.value].movement)) - 1;
-  least_[turn.value] = signals_[turn.value].movement.valid() ? std::max<Millis>(free_flow, earliest) : least;
+  least_[turn.value] = least;
+  if (after_line_[turn.value] < 0) return;
+  const Millis in_green = least - from_seconds(signal_waits_->mean(movements_[turn.value])) - 1;
+  least_[turn.value] = std::max<Millis>(free_flow, in_green);
 }
 
 }  // namespace thalweg

@@ -55,7 +55,7 @@ class TimedCosts {
     const std::int32_t* cost = costs_.data() + turn.value * nodes_ + bin;
     const Millis at = cost[0];
     const Millis out = entry + (within == 0 ? at : at + (cost[1] - at) * within / bin_);
-    return signals_[turn.value].movement.valid() ? in_phase(turn, entry, out) : out;
+    return after_line_[turn.value] >= 0 ? in_phase(turn, entry, out) : out;
   }
   /// Nobody in the way: never above what `arrive` takes. By turn.
   [[nodiscard]] const std::vector<Millis>& free_flow() const { return free_flow_; }
@@ -72,12 +72,6 @@ class TimedCosts {
   }
 
  private:
-  /// A turn whose signal is known.
-  struct AtSignal {
-    MovementId movement{};  ///< invalid: it is not
-    Millis after_line =
-        0;  ///< from coming to the stop line, nobody before it, to the end of the turn, in the mean
-  };
   void take_signals(const Expectation& expected);
   /// When one that entered the road at `entry` has made the turn, who would have at `out` in the mean of a
   /// cycle.
@@ -104,8 +98,10 @@ class TimedCosts {
   const QueueTable* forecast_ = nullptr;
   const SignalWaits* signal_waits_ = nullptr;
   std::vector<MovementId> movements_;  ///< by turn
-  std::vector<AtSignal> signals_;      ///< by turn
-  std::vector<double> delay_;          ///< scratch: s at one road, by bin
+  /// By turn: from coming to the stop line, nobody before it, to the end of the turn, in the mean; below 0
+  /// where nobody knows what the signal will show, or there is none.
+  std::vector<Millis> after_line_;
+  std::vector<double> delay_;  ///< scratch: s at one road, by bin
 };
 
 }  // namespace thalweg
