@@ -107,6 +107,12 @@ struct SignalProgramme {
   std::vector<SignalPhase> phases;
   /// When a cycle began, of one that runs and whose phases have fixed lengths; else nothing.
   std::optional<Millis> cycle_start{};
+  bool follows_traffic = false;  ///< one that runs and whose phases last as long as somebody comes
+};
+/// Which phase of its programme a signal shows, and since when.
+struct ShownPhase {
+  std::size_t index = 0;
+  Millis since = 0;
 };
 struct Signal {
   std::string id;

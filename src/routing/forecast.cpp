@@ -7,6 +7,7 @@
 #include "routing/foresight.hpp"
 #include "routing/list.hpp"
 #include "routing/potentials.hpp"
+#include "routing/timed_ways.hpp"
 #include "search/timed_search.hpp"
 
 namespace thalweg {
@@ -46,6 +47,10 @@ class ForecastStrategy : public Strategy {
     for (auto& seen : classes_) seen.is_fresh = false;
   }
 
+  [[nodiscard]] bool asks_on(RoadId road) const override {
+    return foresight_ && foresight_->what_is_shown_counts(road);
+  }
+
   void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
               std::vector<Decision>& decisions) override {
     decisions.assign(due.size(), {});
@@ -58,9 +63,8 @@ class ForecastStrategy : public Strategy {
       parallel_for(count, workers_.size(), [&](std::size_t i, std::size_t worker) {
         const Traveller& traveller = due[first + i];
         const RoadGraph& graph = *traffic[traveller.vehicle_class].graph;
-        ClassView& view = classes_[traveller.vehicle_class];
-        decide_one(graph, view, traveller, workers_[worker], decisions[first + i]);
-        foretell_end(graph, *view.costs, traveller.route.back(), decisions[first + i]);
+        decide_one(graph, classes_[traveller.vehicle_class], traveller, workers_[worker],
+                   decisions[first + i]);
       });
       if (manners_.books)
         book(traffic, due.subspan(first, count), std::span(decisions).subspan(first, count));
@@ -88,10 +92,13 @@ class ForecastStrategy : public Strategy {
     TimedScratch search;
     Potentials::Search left;
   };
-  /// A way as it will be driven.
-  struct Drive {
-    Millis arrival = 0;  ///< on the last road; infinity: never
-    Millis owed = 0;
+  /// What all that is asked about one traveller needs.
+  struct Asked {
+    const RoadGraph& graph;
+    const ClassView& view;
+    const Traveller& traveller;
+    TimedWays ways;
+    Millis begin;  ///< when it enters the first road of its route
   };
 
   void prepare(const ClassTraffic& traffic, std::size_t vehicle_class) {
@@ -108,154 +115,74 @@ class ForecastStrategy : public Strategy {
     if (!manners_.books) view.potentials->refresh(view.costs->least(), workers_.size());
   }
 
-  /// Its share of what it costs the others that it enters the road at this time.
-  [[nodiscard]] Millis toll(const RoadGraph& graph, const TimedCosts& costs, VertexId vertex,
-                            Millis time) const {
-    if (manners_.toll <= 0) return 0;
-    const RoadId road = graph.road(vertex);
-    const QueueTable& table = foresight_->expected().forecast;
-    const std::size_t bin = table.bin_at(reaches_end(graph, costs, vertex, time));
-    return from_seconds(manners_.toll * static_cast<double>(table.toll(road, bin)));
+  [[nodiscard]] TimedWays ways(const RoadGraph& graph, const TimedCosts& costs) const {
+    return {*foresight_, graph, costs, manners_.toll};
   }
 
-  /// When the traveller has made a turn, having entered the road before it at a time. One that waits for its
-  /// insertion does so in the line of its first turn: it may get on the road later than at `begin`.
-  [[nodiscard]] auto arrivals(const RoadGraph& graph, const TimedCosts& costs, const Traveller& traveller,
-                              Millis begin) const {
-    const VertexId front = traveller.route.front();
-    const bool has_lines = !traveller.departed && foresight_->has_lines(graph.road(front));
-    return [this, &graph, &costs, &traveller, begin, front, has_lines](ArcId turn, Millis time) {
-      const bool gets_on = has_lines && time == begin && graph.turns().ends(turn).tail == front;
-      return costs.arrive(turn, gets_on ? insertion(graph, traveller, graph.turns().ends(turn).head) : time);
-    };
-  }
-  [[nodiscard]] Millis insertion(const RoadGraph& graph, const Traveller& traveller, VertexId second) const {
-    const Millis wanted = std::max<Millis>(0, traveller.until_route);
-    return foresight_->now() + foresight_->insertion(traveller.vehicle, wanted,
-                                                     graph.road(traveller.route.front()), graph.road(second));
-  }
-
-  /// Calls `enters(i, time)` for each road of the route but the last.
-  template <class Enters>
-  Drive drive(const RoadGraph& graph, const TimedCosts& costs, const Traveller& traveller,
-              std::span<const VertexId> route, Millis begin, const Enters& enters) const {
-    const auto arrive = arrivals(graph, costs, traveller, begin);
-    Drive result;
-    Millis time = begin;
-    for (std::size_t i = 0; i + 1 < route.size() && time < infinity; ++i) {
-      enters(i, time);
-      result.owed += toll(graph, costs, route[i], time);
-      Millis next = infinity;
-      for (const Arc& arc : graph.turns().out(route[i])) {
-        if (arc.end == route[i + 1]) next = std::min(next, arrive(arc.id, time));
-      }
-      time = next;
-    }
-    result.arrival = never(begin, time) ? infinity : time;
-    return result;
-  }
-
-  /// The way leads through a closed road.
-  static bool never(Millis begin, Millis arrival) { return arrival - begin >= TimedCosts::closed / 2; }
-
-  /// When it enters the first road of its route, at the earliest where it waits for its insertion. One that
-  /// is on it is as one that entered so much earlier as leaves when it does.
-  [[nodiscard]] Millis start(const RoadGraph& graph, const TimedCosts& costs,
-                             const Traveller& traveller) const {
-    if (!traveller.departed) return earliest_insertion(graph, traveller);
-    const VertexId front = traveller.route.front();
-    if (const auto leaving = foresight_->leaving(traveller.vehicle)) {
-      if (leaving->road == graph.road(front)) return start_in_queue(graph, costs, front, leaving->at);
-      const Servers& servers = foresight_->expected().servers;
-      const MovementId turn = servers.find(leaving->road, graph.road(front));
-      if (turn.valid()) return leaving->at + from_seconds(servers[turn].through);
-    }
-    return foresight_->now() + std::max<Millis>(0, traveller.until_route) -
-           static_cast<Millis>(traveller.driven * static_cast<double>(crossing_of(graph, costs, front)));
-  }
-  [[nodiscard]] Millis earliest_insertion(const RoadGraph& graph, const Traveller& traveller) const {
-    Millis earliest =
-        insertion(graph, traveller, traveller.route[std::min<std::size_t>(1, traveller.route.size() - 1)]);
-    if (!foresight_->has_lines(graph.road(traveller.route.front()))) return earliest;
-    for (const Arc& turn : graph.turns().out(traveller.route.front()))
-      earliest = std::min(earliest, insertion(graph, traveller, turn.end));
-    return earliest;
-  }
-  /// The forecast says when it leaves, by its place in the queue. What the costs know of that road's end
-  /// beside the forecast (residuals, bookings) counts by the share of the road that is still before it.
-  [[nodiscard]] Millis start_in_queue(const RoadGraph& graph, const TimedCosts& costs, VertexId front,
-                                      Millis leaves) const {
-    const Expectation expected = foresight_->expected();
-    const RoadId road = graph.road(front);
-    const double crossing = expected.level.pace() * expected.servers.free_flow(road);
-    const double foretold =
-        crossing + expected.forecast.wait_after(road, crossing);  // who enters now leaves then
-    const Millis whole = costs.to_end(front);
-    const double left = to_seconds(leaves - foresight_->now());
-    const double more = std::min(1.0, left / std::max(1.0, foretold)) * (to_seconds(whole) - foretold);
-    return foresight_->now() + from_seconds(std::max(0.0, left + more)) - whole;
-  }
-  /// In s from the forecast on, of one that enters the road at this time.
-  [[nodiscard]] double reaches_end(const RoadGraph& graph, const TimedCosts& costs, VertexId road,
-                                   Millis time) const {
-    return to_seconds(time + crossing_of(graph, costs, road) - foresight_->forecast_at());
-  }
-  [[nodiscard]] Millis crossing_of(const RoadGraph& graph, const TimedCosts& costs, VertexId road) const {
-    return foresight_->driven(costs.road_time(graph.road(road)));
-  }
-
-  void decide_one(const RoadGraph& graph, ClassView& view, const Traveller& traveller, Worker& worker,
+  void decide_one(const RoadGraph& graph, const ClassView& view, const Traveller& traveller, Worker& worker,
                   Decision& decision) const {
-    const Digraph& turns = graph.turns();
-    const TimedCosts& costs = *view.costs;
-    const Millis begin = start(graph, costs, traveller);
-    const Millis last = crossing_of(graph, costs, traveller.route.back());
-    const Drive old = drive(graph, costs, traveller, traveller.route, begin, [](std::size_t, Millis) {});
-    const auto arrive = arrivals(graph, costs, traveller, begin);
-    decision.entered = begin;
-    decision.old_cost = old.arrival >= infinity ? infinity : old.arrival - begin + last;
+    const TimedWays ways = this->ways(graph, *view.costs);
+    const Asked asked{graph, view, traveller, ways, ways.start(traveller)};
+    const TimedWays::Drive old = ways.drive(traveller, traveller.route, asked.begin);
+    const bool is_open = old.arrival < infinity;
+    decision.entered = asked.begin;
+    decision.old_cost = is_open ? cost(asked, old) : infinity;
     decision.new_cost = decision.old_cost;
-    // Only ways that the rule would take are searched for, with what is owed as a cost like time, and among
-    // them those that are not later for the vehicle itself: mostly there is none, which is seen soon.
+    if (is_open) decision.route = traveller.route;
+    find_way(asked, old, worker, decision);
+    foretell_end(asked, decision);
+  }
+  [[nodiscard]] static Millis cost(const Asked& asked, const TimedWays::Drive& drive) {
+    return drive.arrival - asked.begin + asked.ways.crossing(asked.traveller.route.back());
+  }
+
+  /// Only ways that the rule would take are searched for, with what is owed as a cost like time, and among
+  /// them those that are not later for the vehicle itself: mostly there is none, which is seen soon.
+  void find_way(const Asked& asked, const TimedWays::Drive& old, Worker& worker, Decision& decision) const {
     TimedLimits limits;
     if (old.arrival < infinity) {
       const Millis with_tolls = decision.old_cost + old.owed;
-      limits = {.below = old.arrival + old.owed - rule_.threshold(traveller, with_tolls),
+      limits = {.below = old.arrival + old.owed - rule_.threshold(asked.traveller, with_tolls),
                 .latest = old.arrival};
     }
-    decision.route.push_back(traveller.route.front());
-    Drive best{.arrival = begin};
-    VertexId at = traveller.route.front();
-    for (const VertexId waypoint : traveller.waypoints) {
-      view.potentials->start(worker.left, waypoint);
-      const auto found = timed_search(
-          turns, at, best.arrival, best.owed, waypoint, limits, arrive,
-          [&](VertexId road, Millis time) { return toll(graph, costs, road, time); },
-          [&](VertexId v) { return view.potentials->left(worker.left, v); }, worker.search);
-      if (!found || never(begin, found->arrival)) {
-        decision.route.clear();  // none at all, or none that the rule would take
-        if (old.arrival < infinity) decision.route = traveller.route;
-        return;
-      }
-      for (const ArcId arc : found->arcs) decision.route.push_back(turns.ends(arc).head);
-      best = {.arrival = found->arrival, .owed = found->owed};
-      at = waypoint;
+    std::vector<VertexId> route{asked.traveller.route.front()};
+    TimedWays::Drive way{.arrival = asked.begin};
+    for (const VertexId waypoint : asked.traveller.waypoints) {
+      way = search(asked, way, waypoint, limits, worker, route);
+      if (way.arrival >= infinity) return;  // none at all, or none that the rule would take
     }
-    decision.new_cost = best.arrival - begin + last;  // what it owes is not part of the time that is foretold
-    decision.change = decision.route != traveller.route;
+    decision.new_cost = cost(asked, way);  // what it owes is not part of the time that is foretold
+    decision.change = route != asked.traveller.route;
+    decision.route = std::move(route);
+  }
+
+  /// From the end of `route` on, which gets what is found; arrival: infinity where nothing is.
+  TimedWays::Drive search(const Asked& asked, const TimedWays::Drive& from, VertexId to,
+                          const TimedLimits& limits, Worker& worker, std::vector<VertexId>& route) const {
+    const Potentials& potentials = *asked.view.potentials;
+    potentials.start(worker.left, to);
+    const Digraph& turns = asked.graph.turns();
+    const auto found = timed_search(
+        turns, route.back(), from.arrival, from.owed, to, limits,
+        asked.ways.arrivals(asked.traveller, asked.begin),
+        [&](VertexId road, Millis time) { return asked.ways.toll(road, time); },
+        [&](VertexId v) { return potentials.left(worker.left, v); }, worker.search);
+    if (!found || TimedWays::never(asked.begin, found->arrival)) return {.arrival = infinity};
+    for (const ArcId arc : found->arcs) route.push_back(turns.ends(arc).head);
+    return {.arrival = found->arrival, .owed = found->owed};
   }
 
   /// The costs have the last road as it is driven by one that nobody is in the way of.
-  void foretell_end(const RoadGraph& graph, const TimedCosts& costs, VertexId last,
-                    Decision& decision) const {
+  void foretell_end(const Asked& asked, Decision& decision) const {
     if (decision.cost() >= infinity) return;
-    const Millis alone = crossing_of(graph, costs, last);
-    const Millis entry = *decision.entered + decision.cost() - alone;
+    const VertexId last = asked.traveller.route.back();
+    const Millis alone = asked.ways.crossing(last);
+    const Millis entry = asked.begin + decision.cost() - alone;
     const double ahead = std::max(0.0, to_seconds(entry - foresight_->forecast_at()));
-    const RoadId road = graph.road(last);
+    const RoadId road = asked.graph.road(last);
     const double delay = std::max(0.0, foresight_->expected().delay(road, ahead));
-    decision.at_the_end =
-        costs.crossing(road) - alone + from_seconds(foresight_->share_of_last_delay(road) * delay);
+    decision.at_the_end = asked.view.costs->crossing(road) - alone +
+                          from_seconds(foresight_->share_of_last_delay(road) * delay);
   }
 
   /// Moves the places of those who changed their ways.
@@ -264,10 +191,10 @@ class ForecastStrategy : public Strategy {
     for (std::size_t i = 0; i < due.size(); ++i) {
       if (!decisions[i].change) continue;
       const RoadGraph& graph = *traffic[due[i].vehicle_class].graph;
-      const TimedCosts& costs = *classes_[due[i].vehicle_class].costs;
+      const TimedWays ways = this->ways(graph, *classes_[due[i].vehicle_class].costs);
       const Millis entered = *decisions[i].entered;
-      take_places(graph, costs, due[i], due[i].route, entered, -1);
-      take_places(graph, costs, due[i], decisions[i].route, entered, +1);
+      take_places(graph, ways, due[i], due[i].route, entered, -1);
+      take_places(graph, ways, due[i], decisions[i].route, entered, +1);
     }
     for (const RoadId road : foresight_->bookings().take_changed()) {
       for (ClassView& view : classes_) {
@@ -275,10 +202,10 @@ class ForecastStrategy : public Strategy {
       }
     }
   }
-  void take_places(const RoadGraph& graph, const TimedCosts& costs, const Traveller& traveller,
+  void take_places(const RoadGraph& graph, const TimedWays& ways, const Traveller& traveller,
                    std::span<const VertexId> route, Millis entered, double count) {
-    drive(graph, costs, traveller, route, entered, [&](std::size_t i, Millis time) {
-      foresight_->bookings().book(graph.road(route[i]), reaches_end(graph, costs, route[i], time), count);
+    ways.drive(traveller, route, entered, [&](std::size_t i, Millis time) {
+      foresight_->bookings().book(graph.road(route[i]), ways.reaches_end(route[i], time), count);
     });
   }
 

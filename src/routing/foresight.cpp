@@ -12,6 +12,7 @@ Foresight::Foresight(const TrafficState& first, const Memory* memory, const Fore
       conditions_(first.conditions),
       fleet_(first.fleet),
       servers_(first.network, servers),
+      phase_lengths_(first.network.signals.size()),
       discharge_(first.network, servers_, first.demand),
       forecast_(first.network, servers_, discharge_, options),
       level_(first.network),
@@ -28,8 +29,7 @@ Foresight::Foresight(const TrafficState& first, const Memory* memory, const Fore
 
 bool Foresight::watch(const TrafficState& state) {
   now_ = state.now;
-  for (const SignalId signal : state.changed_signals)
-    servers_.set_programme(signal, state.programmes[signal]);
+  see_signals(state);
   for (const RoadId road : state.conditions.roads())
     servers_.set_free_flow(road, state.conditions.crossing(road));
   discharge_.observe(state.fleet, state.now);
@@ -48,6 +48,24 @@ bool Foresight::watch(const TrafficState& state) {
   return true;
 }
 
+void Foresight::see_signals(const TrafficState& state) {
+  for (const SignalId signal : state.changed_signals) {
+    const SignalProgramme& programme = state.programmes[signal];
+    servers_.set_programme(signal, programme);
+    phase_lengths_[signal].reset();
+    if (programme.follows_traffic) phase_lengths_[signal].emplace(programme);
+  }
+  for (const auto& [signal, shown] : state.following) {
+    PhaseLengths& lengths = *phase_lengths_[signal];
+    lengths.see(shown, state.now);
+    const SignalProgramme& programme = lengths.programme();
+    if (is_round_due(state.now) && lengths.take_means(state.now))
+      servers_.set_programme(signal, programme);
+    else if (programme.cycle_start)
+      servers_.set_cycle_start(signal, *programme.cycle_start);
+  }
+}
+
 Millis Foresight::insertion(VehicleId vehicle, Millis wanted, RoadId first, RoadId second) const {
   const FleetVehicle& own = fleet_[vehicle];
   const Millis since_forecast = now_ - forecast_at_;
@@ -60,6 +78,18 @@ Millis Foresight::insertion(VehicleId vehicle, Millis wanted, RoadId first, Road
   if (!seen) return as_it_is;
   return std::max({wanted, own.depart + from_seconds(*seen) - now_,
                    forecast_.insertion(line, own.depart - forecast_at_) - since_forecast});
+}
+
+bool Foresight::what_is_shown_counts(RoadId road) const {
+  constexpr double longest_queue = 3;  // s
+  const std::size_t first = servers_.first_of(road);
+  const std::size_t last = servers_.last_of(road);
+  bool is_known = false;
+  for (std::size_t i = first; i < last; ++i)
+    is_known = is_known || servers_.signal_waits().knows(MovementId{i});
+  if (!is_known || last - first < 2) return false;
+  const double ahead = to_seconds(now_ - forecast_at_) + servers_.free_flow(road);
+  return table().queue(road, table().bin_at(ahead)) <= longest_queue;
 }
 
 std::optional<Foresight::Leaving> Foresight::leaving(VehicleId vehicle) const {

@@ -9,6 +9,7 @@
 #include "traffic/discharge.hpp"
 #include "traffic/last_roads.hpp"
 #include "traffic/level.hpp"
+#include "traffic/phase_lengths.hpp"
 #include "traffic/queue_forecast.hpp"
 #include "traffic/residuals.hpp"
 #include "traffic/servers.hpp"
@@ -36,8 +37,9 @@ class Foresight {
   [[nodiscard]] const Network& network() const { return network_; }
   [[nodiscard]] Millis now() const { return now_; }
   [[nodiscard]] Millis forecast_at() const { return forecast_at_; }
+  [[nodiscard]] const QueueTable& table() const { return forecast_.table(); }
   [[nodiscard]] Expectation expected() const {
-    return {.forecast = forecast_.table(),
+    return {.forecast = table(),
             .bookings = bookings_,
             .servers = servers_,
             .level = level_,
@@ -66,16 +68,23 @@ class Foresight {
   /// Nothing where the last forecast did not have it there.
   [[nodiscard]] std::optional<Leaving> leaving(VehicleId vehicle) const;
 
+  /// Who gets on the road now comes to a signal that is known (SignalWaits) and leaves him a choice, and
+  /// finds next to nobody before him: what it shows then decides when he is through.
+  [[nodiscard]] bool what_is_shown_counts(RoadId road) const;
+
   Bookings& bookings() { return bookings_; }
   Hindsight& hindsight() { return hindsight_; }
 
  private:
+  void see_signals(const TrafficState& state);
+
   static constexpr Millis round = 15'000;
 
   const Network& network_;
   const Conditions& conditions_;
   const Fleet& fleet_;
   Servers servers_;
+  IdVector<SignalId, std::optional<PhaseLengths>> phase_lengths_;  ///< of those that follow the traffic
   Discharge discharge_;
   QueueForecast forecast_;
   Level level_;

@@ -73,6 +73,12 @@ struct ChoiceRule {
   [[nodiscard]] Millis threshold(const Traveller& traveller, Millis old_cost) const;
 };
 
+/// A signal that follows the traffic, and what it shows.
+struct ShownSignal {
+  SignalId signal;
+  ShownPhase phase;
+};
+
 /// What the control loop knows of the traffic after a look at it.
 struct TrafficState {
   Millis now = 0;
@@ -84,6 +90,7 @@ struct TrafficState {
   const Conditions& conditions;
   const IdVector<SignalId, SignalProgramme>& programmes;
   std::span<const SignalId> changed_signals;  ///< those whose programme is new
+  std::span<const ShownSignal> following;     ///< what those show that follow the traffic
 };
 
 /// Decides for everyone who is due, as one batch a control period.
@@ -98,6 +105,8 @@ class Strategy {
   }
   /// After every look at the traffic, before those who are due decide.
   virtual void watch(const TrafficState& /*state*/) {}
+  /// Whether one that gets on this road decides at once, beside its turn.
+  [[nodiscard]] virtual bool asks_on(RoadId /*road*/) const { return false; }
   /// decisions[i] belongs to due[i]. The result does not depend on the number of threads.
   virtual void decide(std::span<const ClassTraffic> traffic, std::span<const Traveller> due,
                       std::vector<Decision>& decisions) = 0;

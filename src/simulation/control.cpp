@@ -11,6 +11,7 @@
 #include "simulation/agenda.hpp"
 #include "simulation/kept_positions.hpp"
 #include "simulation/live_traffic.hpp"
+#include "simulation/signal_watch.hpp"
 #include "traffic/conditions.hpp"
 
 namespace thalweg {
@@ -37,7 +38,7 @@ class Controller {
         measured_(network, options.window, sample_interval_),
         conditions_(network, options.lane_changes),
         fleet_(demand),
-        programmes_(network.signals.size()),
+        signals_(network.signals.size()),
         ledger_(demand.vehicles.size(), result.forecast_error),
         last_questions_(demand.vehicles.size()),
         traffic_(network, demand, options.penalties) {
@@ -64,6 +65,7 @@ class Controller {
       next_adaptation_ = simulation_.now();
       std::fill(last_questions_.begin(), last_questions_.end(), Question{});
     }
+    between_turns_.clear();
     if (simulation_.now() >= next_sample_) {
       const auto observations = simulation_.observe(strategy_.next_look(simulation_.now()));
       measured_.sample(observations);
@@ -79,7 +81,7 @@ class Controller {
       next_adaptation_ = simulation_.now() + options_.adaptation_interval;
     }
     agenda_.take_due(simulation_.now(), due_);
-    if (!due_.empty()) decide();
+    if (!due_.empty() || !between_turns_.empty()) decide();
   }
 
  private:
@@ -93,14 +95,7 @@ class Controller {
   void watch(std::span<const Observation> observations) {
     fleet_.on_observed(network_, observations);
     find_lost(observations);
-    changed_signals_.clear();
-    for (std::size_t i = 0; i < programmes_.size(); ++i) {
-      const SignalId signal{i};
-      std::string id = simulation_.programme_id(signal);
-      if (id.empty() || id == programmes_[signal].id) continue;
-      programmes_[signal] = simulation_.programme(signal);
-      changed_signals_.push_back(signal);
-    }
+    signals_.look(simulation_);
     strategy_.watch({.now = simulation_.now(),
                      .network = network_,
                      .demand = demand_,
@@ -108,8 +103,14 @@ class Controller {
                      .measured = measured_,
                      .observations = observations,
                      .conditions = conditions_,
-                     .programmes = programmes_,
-                     .changed_signals = changed_signals_});
+                     .programmes = signals_.programmes(),
+                     .changed_signals = signals_.changed(),
+                     .following = signals_.following()});
+    for (const VehicleId vehicle : fleet_.entered()) {
+      const FleetVehicle& own = fleet_[vehicle];
+      if (agenda_.ours(vehicle) && agenda_.departed(vehicle) && strategy_.asks_on(own.route[own.position]))
+        between_turns_.push_back(vehicle);
+    }
   }
 
   /// Those that a rerouter of SUMO's sent another way are seen again after the next look.
@@ -127,6 +128,9 @@ class Controller {
     for (const VehicleId vehicle : due_) {
       agenda_.reschedule(vehicle, simulation_.now());
       add_traveller(vehicle);
+    }
+    for (const VehicleId vehicle : between_turns_) {
+      if (!std::binary_search(due_.begin(), due_.end(), vehicle)) add_traveller(vehicle);
     }
     if (travellers_.empty()) return;
     for (const Traveller& traveller : travellers_)
@@ -261,15 +265,15 @@ class Controller {
   MeasuredTimes measured_;
   Conditions conditions_;
   Fleet fleet_;  ///< kept for those who look ahead
-  IdVector<SignalId, SignalProgramme> programmes_;
+  SignalWatch signals_;
   PredictionLedger ledger_;
   IdVector<VehicleId, Question> last_questions_;
   LiveTraffic traffic_;
-  std::vector<SignalId> changed_signals_;
   Millis next_sample_ = 0;
   Millis next_adaptation_ = 0;
   std::uint32_t news_ = 0;  ///< how often there was something new to decide by
   std::vector<VehicleId> due_;
+  std::vector<VehicleId> between_turns_;  ///< asked because of the road that they got on
   std::vector<Traveller> travellers_;
   std::vector<Plan> plans_;  ///< of the travellers
   std::vector<Decision> decisions_;

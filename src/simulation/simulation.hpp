@@ -51,6 +51,8 @@ class Simulation {
   virtual SignalProgramme programme(SignalId signal) = 0;
   /// Its id, in far less time.
   virtual std::string programme_id(SignalId signal) = 0;
+  /// What a signal shows now.
+  virtual ShownPhase phase(SignalId signal) = 0;
   virtual Plan plan(VehicleId vehicle) = 0;
   /// Gives a vehicle the route to drive from the front of its plan's route on. False: SUMO refused it, and
   /// the vehicle keeps its way.

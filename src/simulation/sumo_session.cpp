@@ -115,6 +115,7 @@ class SumoSession : public Simulation {
           programme.phases.push_back({.duration = from_seconds(phase->duration), .state = phase->state});
         if (logic.type == fixed_lengths && !is_mesoscopic_)  // who is mesoscopic mostly ignores them
           programme.cycle_start = cycle_start(id, logic.currentPhaseIndex, programme.phases);
+        programme.follows_traffic = follows_traffic(logic.type) && !is_mesoscopic_;
       }
     } catch (const libsumo::TraCIException&) {  // a rail signal, or not in this net
       programme.phases.clear();
@@ -127,6 +128,12 @@ class SumoSession : public Simulation {
     } catch (const libsumo::TraCIException&) {
       return {};
     }
+  }
+
+  ShownPhase phase(SignalId signal) override {
+    const std::string& id = network_.signals[signal].id;
+    return {.index = static_cast<std::size_t>(libsumo::TrafficLight::getPhase(id)),
+            .since = now() - from_seconds(libsumo::TrafficLight::getSpentDuration(id))};
   }
 
   Plan plan(VehicleId vehicle) override {
@@ -160,6 +167,9 @@ class SumoSession : public Simulation {
 
  private:
   static constexpr int fixed_lengths = 0;  // of TraCILogic::type: TrafficLightType::STATIC
+  static bool follows_traffic(int type) {
+    return type == libsumo::TRAFFICLIGHT_TYPE_ACTUATED || type == libsumo::TRAFFICLIGHT_TYPE_DELAYBASED;
+  }
 
   static Millis cycle_start(const std::string& signal, int index, std::span<const SignalPhase> phases) {
     Millis end_of_phase = 0;  // in the cycle

@@ -47,6 +47,7 @@ void Fleet::on_plan(VehicleId vehicle, std::span<const RoadId> rest) {
 
 void Fleet::on_observed(const Network& network, std::span<const Observation> observations) {
   forget_gone();
+  entered_.clear();
   for (const VehicleId vehicle : present_) vehicles_[vehicle].is_lost = true;
   for (const Observation& seen : observations) {
     if (!seen.vehicle.valid()) continue;
@@ -60,7 +61,9 @@ void Fleet::on_observed(const Network& network, std::span<const Observation> obs
     const auto found = std::find(ahead, own.route.end(), seen.road);
     own.is_lost = found == own.route.end();
     if (own.is_lost) continue;
-    own.position = static_cast<std::size_t>(found - own.route.begin());
+    const auto position = static_cast<std::size_t>(found - own.route.begin());
+    if (position != own.position || !own.lane.valid()) entered_.push_back(seen.vehicle);
+    own.position = position;
     own.lane = seen.lane;
     own.metres = seen.position;
   }

@@ -39,6 +39,9 @@ class Fleet {
   /// The vehicles on the roads now. Those not among them are lost until they are seen again.
   void on_observed(const Network& network, std::span<const Observation> observations);
 
+  /// Who was on another road at the last look than at the one before; on its first as well.
+  [[nodiscard]] std::span<const VehicleId> entered() const { return entered_; }
+
   [[nodiscard]] const FleetVehicle& operator[](VehicleId vehicle) const { return vehicles_[vehicle]; }
   [[nodiscard]] std::size_t size() const { return vehicles_.size(); }
   /// Those that are not away, in the order in which they were loaded.
@@ -49,6 +52,7 @@ class Fleet {
 
   IdVector<VehicleId, FleetVehicle> vehicles_;
   std::vector<VehicleId> present_;
+  std::vector<VehicleId> entered_;
   std::size_t gone_ = 0;  ///< of present_, to be removed
 };
 

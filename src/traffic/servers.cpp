@@ -173,6 +173,10 @@ void Servers::set_programme(SignalId signal, const SignalProgramme& programme) {
   }
 }
 
+void Servers::set_cycle_start(SignalId signal, Millis start) {
+  for (const Link& link : links_[signal]) signal_waits_.shift(link.movement, start);
+}
+
 std::optional<double> Servers::coordinated(SignalId signal, const SignalProgramme& programme,
                                            MovementId movement) const {
   const RoadId road = movements_[movement].from;

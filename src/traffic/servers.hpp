@@ -46,6 +46,8 @@ class Servers {
 
   /// Takes the times of this signal from the programme that runs there now.
   void set_programme(SignalId signal, const SignalProgramme& programme);
+  /// Its cycles begin at other times; the programme is the same.
+  void set_cycle_start(SignalId signal, Millis start);
   /// Its limit is another now; in s. Delays between stop lines of one signal stay as they are.
   void set_free_flow(RoadId road, double seconds) { free_flow_[road] = seconds; }
 

@@ -14,27 +14,35 @@ double standard_deviation(double ahead) { return 2 + 0.05 * std::max(0.0, ahead)
 
 /// The mean around each second of the cycle, by a normal distribution.
 std::vector<float> smoothed(std::span<const double> values, double deviation) {
-  const auto cycle = static_cast<std::ptrdiff_t>(values.size());
-  const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3 * deviation));
-  std::vector<double> weights;
-  for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
-    const double x = static_cast<double>(k) / deviation;
-    weights.push_back(std::exp(-x * x / 2));
+  const std::size_t cycle = values.size();
+  const auto reach = static_cast<std::size_t>(std::ceil(3 * deviation));
+  std::vector<float> weights(2 * reach + 1);
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    const double x = (static_cast<double>(k) - static_cast<double>(reach)) / deviation;
+    weights[k] = static_cast<float>(std::exp(-x * x / 2));
   }
-  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
-  std::vector<float> result(values.size());
-  for (std::ptrdiff_t second = 0; second < cycle; ++second) {
-    double sum = 0;
-    for (std::ptrdiff_t k = -reach; k <= reach; ++k) {
-      const std::ptrdiff_t at = ((second + k) % cycle + cycle) % cycle;
-      sum += weights[static_cast<std::size_t>(k + reach)] * values[static_cast<std::size_t>(at)];
-    }
-    result[static_cast<std::size_t>(second)] = static_cast<float>(sum / all);
+  const float all = std::accumulate(weights.begin(), weights.end(), 0.0F);
+  std::vector<float> around(cycle + 2 * reach);  // the cycle, and what comes before and after it
+  const std::size_t before = cycle - reach % cycle;
+  for (std::size_t i = 0; i < around.size(); ++i)
+    around[i] = static_cast<float>(values[(before + i) % cycle]);
+  std::vector<float> result(cycle, 0.0F);
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    for (std::size_t i = 0; i < cycle; ++i) result[i] += weights[k] * around[i + k];
   }
+  for (float& value : result) value /= all;
   return result;
 }
 
 }  // namespace
+
+SignalWaits::SignalWaits(std::size_t movements) : table_of_(movements, none) {
+  while (true) {
+    const double level = std::log2(standard_deviation(static_cast<double>(level_by_second_.size())));
+    if (level >= levels) break;
+    level_by_second_.push_back(level);
+  }
+}
 
 void SignalWaits::set(MovementId movement, std::span<const std::size_t> until_open, Millis start) {
   std::vector<double> deviations(until_open.begin(), until_open.end());
@@ -56,12 +64,14 @@ void SignalWaits::set(MovementId movement, std::span<const std::size_t> until_op
 
 double SignalWaits::deviation(MovementId movement, Millis time, double ahead) const {
   const Table& table = tables_[table_of_[movement]];
-  const double level = std::log2(standard_deviation(ahead));
+  const auto whole_seconds = static_cast<std::size_t>(std::max(0.0, ahead));
+  if (whole_seconds >= level_by_second_.size()) return 0;
+  const double level = level_by_second_[whole_seconds];
   const auto low = static_cast<std::size_t>(level);
-  if (low >= levels) return 0;
   const std::size_t cycle = table.deviation[low].size();
   const Millis whole = static_cast<Millis>(cycle) * 1000;
-  const Millis within = ((time - table.start) % whole + whole) % whole;
+  const Millis rest = (time - table.start) % whole;
+  const Millis within = rest < 0 ? rest + whole : rest;
   const auto second = static_cast<std::size_t>(within / 1000);
   const auto after = second + 1 < cycle ? second + 1 : 0;
   const double part = static_cast<double>(within % 1000) / 1000;

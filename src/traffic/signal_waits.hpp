@@ -20,11 +20,15 @@ namespace thalweg {
 /// Only of programmes whose phases have fixed lengths.
 class SignalWaits {
  public:
-  explicit SignalWaits(std::size_t movements) : table_of_(movements, none) {}
+  explicit SignalWaits(std::size_t movements);
 
   /// `until_open`: for each second of the cycle, s until the movement may go (seconds_until_open); the cycle
   /// began at `start`, and begins anew without end.
   void set(MovementId movement, std::span<const std::size_t> until_open, Millis start);
+  /// Its cycles begin at other times.
+  void shift(MovementId movement, Millis start) {
+    if (table_of_[movement] != none) tables_[table_of_[movement]].start = start;
+  }
   /// Nothing is known of it any more.
   void clear(MovementId movement) {
     if (table_of_[movement] != none) tables_[table_of_[movement]].mean = 0;
@@ -50,6 +54,7 @@ class SignalWaits {
 
   IdVector<MovementId, std::uint32_t> table_of_;
   std::vector<Table> tables_;
+  std::vector<double> level_by_second_;  ///< log2 of the standard deviation, by whole s ahead
 };
 
 }  // namespace thalweg

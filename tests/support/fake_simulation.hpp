@@ -123,6 +123,7 @@ class FakeSimulation : public Simulation {
 
   SignalProgramme programme(SignalId /*signal*/) override { return {}; }
   std::string programme_id(SignalId /*signal*/) override { return {}; }
+  ShownPhase phase(SignalId /*signal*/) override { return {}; }
 
   Plan plan(VehicleId vehicle) override {
     const State& state = states_[vehicle];

@@ -30,7 +30,8 @@ struct Watched {
             .observations = {},
             .conditions = conditions,
             .programmes = programmes,
-            .changed_signals = {}};
+            .changed_signals = {},
+            .following = {}};
   }
 
   Network network;

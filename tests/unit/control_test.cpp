@@ -630,8 +630,29 @@ class Watcher : public Recorder {
   [[nodiscard]] bool looks_ahead() const override { return true; }
   void watch(const TrafficState& state) override { seen.emplace_back(state.now, state.fleet[VehicleId{0U}]); }
 
+  [[nodiscard]] bool asks_on(RoadId road) const override { return road == asking; }
+
   std::vector<std::pair<Millis, FleetVehicle>> seen;
+  RoadId asking{};
 };
+
+// A look every 5 s: the vehicle is seen on SA at 5 s and on AB at 10 and 15 s; its own turns are 60 s apart.
+TEST_F(Control, WhoGetsOnARoadWhereTheStrategyAsksDecidesAtOnce) {
+  const auto turns = [&](const char* asking, double share) {
+    FakeSimulation simulation(net, fleet(net, 1, "SABT"));
+    Watcher watcher;
+    if (asking != nullptr) watcher.asking = at(asking);
+    run(simulation, net, watcher, {.period = 600'000, .share = share});
+    return watcher.turns()[VehicleId{0U}];
+  };
+  const auto own = turns(nullptr, 1);
+  auto with_ab = own;
+  with_ab.push_back(10'000);
+  std::sort(with_ab.begin(), with_ab.end());
+  EXPECT_EQ(turns("AB", 1), with_ab);
+  EXPECT_EQ(turns("BT", 1), own) << "it ends there";
+  EXPECT_TRUE(turns("AB", 0).empty()) << "not ours";
+}
 
 // The vehicle is loaded at 0 and departs at 25 s: due once a period until then, and again when it departs.
 TEST_F(Control, WhoLooksAheadDecidesFromLoadingOnAndWatchesTheFleet) {

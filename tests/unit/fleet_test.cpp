@@ -21,6 +21,7 @@ TEST(Fleet, FollowsAVehicleAlongItsRoute) {
   driven.look({{.vehicle = 0, .road = "AB", .metres = 30, .speed = 9}});
   EXPECT_EQ(vehicle.state, FleetVehicle::State::running);
   EXPECT_EQ(vehicle.metres, 30);
+  EXPECT_EQ(driven.fleet.entered().size(), 1U) << "its first road";
   EXPECT_EQ(vehicle.position, 0U);
 
   std::string junction;
@@ -30,8 +31,12 @@ TEST(Fleet, FollowsAVehicleAlongItsRoute) {
   driven.look({{.vehicle = 0, .road = junction.c_str()}});
   EXPECT_TRUE(vehicle.on_junction);
   EXPECT_EQ(vehicle.position, 0U) << "the road that it comes from";
+  EXPECT_TRUE(driven.fleet.entered().empty());
   driven.look({{.vehicle = 0, .road = "CD", .metres = 1}});
   EXPECT_EQ(vehicle.position, 2U) << "BC was passed between two looks";
+  EXPECT_EQ(driven.fleet.entered().size(), 1U);
+  driven.look({{.vehicle = 0, .road = "CD", .metres = 60}});
+  EXPECT_TRUE(driven.fleet.entered().empty()) << "still on CD";
   driven.fleet.on_arrived(VehicleId{0U});
   driven.look({});
   EXPECT_TRUE(driven.fleet.present().empty());
