@@ -77,6 +77,10 @@ class ForecastStrategy : public Strategy {
       const Decision& decision = decisions[i];
       foresight_->hindsight().decided(due[i].vehicle, now, arrival(due[i], decision, now, decision.old_cost),
                                       arrival(due[i], decision, now, decision.new_cost), decision.change);
+      if (decision.cost() < infinity)
+        foresight_->overrun().predicted(due[i].vehicle, now,
+                                        arrival(due[i], decision, now, decision.cost()) + decision.at_the_end,
+                                        decision.change);
     }
   }
 
@@ -183,6 +187,8 @@ class ForecastStrategy : public Strategy {
     const double delay = std::max(0.0, foresight_->expected().delay(road, ahead));
     decision.at_the_end = asked.view.costs->crossing(road) - alone +
                           from_seconds(foresight_->share_of_last_delay(road) * delay);
+    const Millis left = asked.begin + decision.cost() + decision.at_the_end - foresight_->now();
+    decision.later = foresight_->overrun().later(std::max<Millis>(0, left));
   }
 
   /// Moves the places of those who changed their ways.

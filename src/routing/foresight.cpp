@@ -19,7 +19,8 @@ Foresight::Foresight(const TrafficState& first, const Memory* memory, const Fore
       residuals_(first.network),
       last_roads_(first.demand.vehicles.size()),
       bookings_(first.network, forecast_.table()),
-      hindsight_(first.demand.vehicles.size()) {
+      hindsight_(first.demand.vehicles.size()),
+      overrun_(first.demand.vehicles.size()) {
   if (memory == nullptr) return;
   std::vector<QueueForecast::Departure> departures;
   for (const RememberedTrip& trip : memory->trips)
@@ -35,6 +36,7 @@ bool Foresight::watch(const TrafficState& state) {
   discharge_.observe(state.fleet, state.now);
   forecast_.observe(state.fleet, state.now);
   hindsight_.observe(state.fleet, state.now);
+  overrun_.observe(state.fleet, state.now);
   last_roads_.observe(state.fleet, expected(), state.now);
   if (!is_round_due(state.now)) return false;
   conditions_version_ = state.conditions.version();

@@ -9,6 +9,7 @@
 #include "traffic/discharge.hpp"
 #include "traffic/last_roads.hpp"
 #include "traffic/level.hpp"
+#include "traffic/overrun.hpp"
 #include "traffic/phase_lengths.hpp"
 #include "traffic/queue_forecast.hpp"
 #include "traffic/residuals.hpp"
@@ -74,6 +75,8 @@ class Foresight {
 
   Bookings& bookings() { return bookings_; }
   Hindsight& hindsight() { return hindsight_; }
+  Overrun& overrun() { return overrun_; }
+  [[nodiscard]] const Overrun& overrun() const { return overrun_; }
 
  private:
   void see_signals(const TrafficState& state);
@@ -92,6 +95,7 @@ class Foresight {
   LastRoads last_roads_;
   Bookings bookings_;
   Hindsight hindsight_;
+  Overrun overrun_;
   Millis now_ = 0;
   Millis forecast_at_ = 0;
   Millis next_round_ = 0;

@@ -51,6 +51,8 @@ struct Decision {
   /// What it is to meet on its last road beside that, in the way of the others there. The same on every way,
   /// so that it has no part in the costs that are compared.
   Millis at_the_end = 0;
+  /// By how much those before it came later than was foretold for them.
+  Millis later = 0;
 };
 
 /// When a traveller arrives that decides at `now` for a way of this cost.

@@ -227,7 +227,7 @@ class Controller {
   /// When it arrives on the way that was chosen.
   [[nodiscard]] Millis predicted_arrival(const Traveller& traveller, const Decision& decision) const {
     return add_saturating(arrival(traveller, decision, simulation_.now(), decision.cost()),
-                          decision.at_the_end);
+                          decision.at_the_end + decision.later);
   }
 
   void predict(const Traveller& traveller, const Decision& decision) {

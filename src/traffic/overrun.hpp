@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "traffic/fleet.hpp"
+
+namespace thalweg {
+
+struct OverrunOptions {
+  double memory = 1200;  ///< s after which what was seen counts 1/e
+  double prior = 100;    ///< predictions that the model as it is counts for
+  double most = 10;      ///< s, and so much of what was foretold: what is more says something of one jam, and
+  double most_share = 0.2;  ///< would make the others' predictions worse
+};
+
+/// How much later than foretold vehicles arrive: a time, and a share of what was left. Who takes the best of
+/// several uncertain ways is disappointed on average (the winner's curse), and what the model does not know
+/// of makes everybody late. Least squares over the predictions of those who have arrived; those before a
+/// change of way are moot. No part in decisions: it is the same for all ways that take as long.
+class Overrun {
+ public:
+  explicit Overrun(std::size_t vehicles, const OverrunOptions& options = {})
+      : options_(options), open_(vehicles) {}
+
+  /// At `now` the model foretells that it arrives at `arrival`, by a way that is new or not.
+  void predicted(VehicleId vehicle, Millis now, Millis arrival, bool is_new_way);
+  /// After every look at the traffic: who has arrived?
+  void observe(const Fleet& fleet, Millis now);
+
+  /// For one that is foretold to arrive in `left`: how much later it will be; not before now.
+  [[nodiscard]] Millis later(Millis left) const;
+
+ private:
+  struct Prediction {
+    Millis made;
+    Millis arrival;
+  };
+
+  OverrunOptions options_;
+  IdVector<VehicleId, std::vector<Prediction>> open_;
+  std::vector<VehicleId> waiting_;  ///< those that have predictions
+  // Sums over predictions; x: s that were foretold, y: s that it took on top.
+  double n_ = 0, x_ = 0, y_ = 0, xx_ = 0, xy_ = 0;
+  double share_ = 0;
+  double offset_ = 0;  ///< s
+  Millis last_ = 0;
+};
+
+}  // namespace thalweg
