@@ -19,7 +19,8 @@ std::vector<OptionSpec> routing_options() {
   const ChoiceRule& rule = strategy.rule;
   std::vector<OptionSpec> specs{
       {"routing", "period", 0, "STR", seconds(control.period),
-       "Every vehicle reconsiders once a period; 'step': at each step"},
+       "Every vehicle reconsiders once a period, with foresight also before a signal that it knows; 'step': "
+       "at each step"},
       {"routing", "window", 0, "TIME", seconds(control.window), "Travel times are averaged over this time"},
       {"routing", "adaptation-interval", 0, "TIME", seconds(control.adaptation_interval),
        "The travel times that vehicles decide by are updated so often"},
