@@ -71,8 +71,8 @@ class Servers {
   /// Whether the lane is one of those that the road's motor traffic queues on: open to cars where any is,
   /// else to buses or trams; footways and bicycle lanes only where there is nothing else.
   [[nodiscard]] bool carries(LaneId lane) const { return carries_[lane]; }
-  /// Of the turns whose signals show the same in every cycle, but for those between two stop lines of one
-  /// signal.
+  /// Of the turns whose programme has a cycle that began at a time that is known, but for those between two
+  /// stop lines of one signal.
   [[nodiscard]] const SignalWaits& signal_waits() const { return signal_waits_; }
   [[nodiscard]] double free_flow(RoadId road) const { return free_flow_[road]; }  ///< s
   [[nodiscard]] RoadEnd end(RoadId road) const { return ends_[road]; }

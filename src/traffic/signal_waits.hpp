@@ -17,7 +17,7 @@ namespace thalweg {
 /// for all of the red. The farther ahead that is, the less is known of the second; it counts as normally
 /// distributed around the one that is foretold, and far ahead nothing is left but the mean. It is what
 /// signals can tell drivers today (SPaT messages; cf. Bodenheimer, Brauer, Eckhoff, German, IEEE VNC 2014).
-/// Only of programmes whose phases have fixed lengths.
+/// Only of programmes whose phases have fixed lengths, or are taken to (PhaseLengths).
 class SignalWaits {
  public:
   explicit SignalWaits(std::size_t movements);
