@@ -8,8 +8,8 @@ namespace thalweg {
 
 void Overrun::predicted(VehicleId vehicle, Millis now, Millis arrival, bool is_new_way) {
   std::vector<Prediction>& own = open_[vehicle];
-  if (is_new_way) own.clear();
   if (own.empty()) waiting_.push_back(vehicle);
+  if (is_new_way) own.clear();
   own.push_back({.made = now, .arrival = arrival});
 }
 
