@@ -4,18 +4,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 
 #include "core/number.hpp"
 
 namespace thalweg {
-
-Millis from_seconds(double seconds) {
-  const double ms = std::round(seconds * 1000.0);
-  if (!(ms < static_cast<double>(infinity))) return infinity;
-  if (ms < -static_cast<double>(infinity)) return -infinity;
-  return static_cast<Millis>(ms);
-}
 
 std::optional<Millis> parse_time(std::string_view text) {
   if (text.find(':') == std::string_view::npos) {

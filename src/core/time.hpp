@@ -20,7 +20,14 @@ inline constexpr Millis infinity = std::numeric_limits<Millis>::max() / 2;
 constexpr Millis add_saturating(Millis a, Millis b) { return a >= infinity - b ? infinity : a + b; }
 
 /// Rounded to the nearest millisecond; what is not finite or too large becomes infinity.
-Millis from_seconds(double seconds);
+constexpr Millis from_seconds(double seconds) {
+  const double ms = seconds * 1000.0;
+  if (!(ms < static_cast<double>(infinity))) return infinity;
+  if (ms < -static_cast<double>(infinity)) return -infinity;
+  const auto whole = static_cast<Millis>(ms);  // std::round is a call where the processor's is not asked for
+  const double rest = ms - static_cast<double>(whole);
+  return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+}
 constexpr double to_seconds(Millis t) { return static_cast<double>(t) / 1000.0; }
 
 /// SUMO's time formats: seconds ("12.5", "-1") or [d:]h:m:s ("15:00:00", "1:0:0:0"). nullopt: not a time.

@@ -106,7 +106,7 @@ class ClassRoads {
       const auto found = timed_search(
           graph_.turns(), at, time, 0, to, {.latest = bound},
           [&](ArcId turn, Millis entry) { return arrive(turn, entry); }, no_toll,
-          [&](VertexId v) { return left[v]; }, scratch_);
+          [&](VertexId v, Millis, Millis) { return left[v]; }, scratch_);
       if (!found) return bound;
       time = found->arrival;
       at = to;

@@ -113,10 +113,12 @@ class ForecastStrategy : public Strategy {
       view.costs.emplace(foresight_->network(), *traffic.graph);
       view.potentials.emplace(traffic.graph->turns(), order_cache_);
       // Places that are given back make roads faster than they were foretold.
-      if (manners_.books) view.potentials->refresh(view.costs->free_flow(), workers_.size());
+      if (manners_.books)
+        view.potentials->refresh(view.costs->free_flow(), view.costs->free_flow(), workers_.size());
     }
     view.costs->refresh(foresight_->expected(), foresight_->forecast_at());
-    if (!manners_.books) view.potentials->refresh(view.costs->least(), workers_.size());
+    if (!manners_.books)
+      view.potentials->refresh(view.costs->least(), view.costs->least_in_mean(), workers_.size());
   }
 
   [[nodiscard]] TimedWays ways(const RoadGraph& graph, const TimedCosts& costs) const {
@@ -166,11 +168,15 @@ class ForecastStrategy : public Strategy {
     const Potentials& potentials = *asked.view.potentials;
     potentials.start(worker.left, to);
     const Digraph& turns = asked.graph.turns();
+    const Millis known_until = foresight_->forecast_at() + SignalWaits::known_ahead;
     const auto found = timed_search(
         turns, route.back(), from.arrival, from.owed, to, limits,
         asked.ways.arrivals(asked.traveller, asked.begin),
         [&](VertexId road, Millis time) { return asked.ways.toll(road, time); },
-        [&](VertexId v) { return potentials.left(worker.left, v); }, worker.search);
+        [&](VertexId v, Millis time, Millis most) {
+          return potentials.left(worker.left, v, known_until - time, most);
+        },
+        worker.search);
     if (!found || TimedWays::never(asked.begin, found->arrival)) return {.arrival = infinity};
     for (const ArcId arc : found->arcs) route.push_back(turns.ends(arc).head);
     return {.arrival = found->arrival, .owed = found->owed};

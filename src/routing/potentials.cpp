@@ -8,8 +8,10 @@ namespace thalweg {
 Potentials::Potentials(const Digraph& turns, const OrderCache& cache)
     : topology_(turns, cached_dissection(turns, fingerprint(turns), cache)) {}
 
-void Potentials::refresh(const std::vector<Millis>& least, std::size_t threads) {
-  metric_.customise(topology_, least, threads);
+void Potentials::refresh(const std::vector<Millis>& best, const std::vector<Millis>& in_mean,
+                         std::size_t threads) {
+  best_.customise(topology_, best, threads);
+  in_mean_.customise(topology_, in_mean, threads);
 }
 
 }  // namespace thalweg

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "cch/lone_search.hpp"
@@ -8,28 +9,50 @@
 
 namespace thalweg {
 
-/// The least time that is left to a destination, whenever one drives: what guides a search by the time of
-/// entry. Exact for the least that each turn takes, so that such a search looks at little beside the way that
-/// it finds (CCH-potentials: Strasser, Zeitz, "A Fast and Tight Heuristic for A* in Road Networks", 2021).
+/// The least time that is left to a destination: what guides a search by the time of entry. Near what each
+/// turn takes at the best time, so that such a search looks at little beside the way that it finds
+/// (CCH-potentials: Strasser, Zeitz, "A Fast and Tight Heuristic for A* in Road Networks", 2021). Signals
+/// have two best times: with what they show as long as that is known, in the mean of their cycles afterwards.
+/// Who knows it does not find green everywhere: his way is taken to gain a fifth of the time for which he
+/// knows it, at most. That is not a bound, but he who gains more has been lucky without having looked for it
+/// (docs/tried.md).
 class Potentials {
  public:
   /// Of one destination; one a thread.
-  using Search = CchLoneSearch<std::uint32_t>;
+  struct Search {
+    CchLoneSearch<std::uint32_t> in_mean;
+    CchLoneSearch<std::uint32_t> best;
+    VertexId destination{};
+    bool has_best = false;  ///< many searches need nothing of it
+  };
 
   Potentials(const Digraph& turns, const OrderCache& cache);
 
-  /// `least` by ArcId in ms; infinity: closed. The result does not depend on `threads`.
-  void refresh(const std::vector<Millis>& least, std::size_t threads);
+  /// By ArcId in ms, infinity: closed; `in_mean` is nowhere below `best`. The result does not depend on
+  /// `threads`.
+  void refresh(const std::vector<Millis>& best, const std::vector<Millis>& in_mean, std::size_t threads);
 
-  void start(Search& search, VertexId destination) const { search.start(topology_, metric_, destination); }
-  /// In ms from entering `from`; infinity where there is no way, or none of less than 24 days.
-  [[nodiscard]] Millis left(Search& search, VertexId from) const {
-    return from_label(search.cost(topology_, metric_, from));
+  void start(Search& search, VertexId destination) const {
+    search.in_mean.start(topology_, in_mean_, destination);
+    search.destination = destination;
+    search.has_best = false;
+  }
+  /// In ms from entering `from`, by one who knows what signals show for `known` ms from then on; infinity
+  /// where there is no way, or none of less than 24 days. What is above `most` is only known to be.
+  [[nodiscard]] Millis left(Search& search, VertexId from, Millis known, Millis most) const {
+    const Millis in_mean = from_label(search.in_mean.cost(topology_, in_mean_, from));
+    if (known <= 0 || in_mean >= infinity) return in_mean;
+    const Millis with_luck = in_mean - known / 5;
+    if (with_luck > most) return with_luck;
+    if (!search.has_best) search.best.start(topology_, best_, search.destination);
+    search.has_best = true;
+    return std::max(with_luck, from_label(search.best.cost(topology_, best_, from)));
   }
 
  private:
   CchTopology topology_;
-  CchMetric<std::uint32_t> metric_;  // its sums saturate
+  CchMetric<std::uint32_t> best_;  // sums saturate
+  CchMetric<std::uint32_t> in_mean_;
 };
 
 }  // namespace thalweg

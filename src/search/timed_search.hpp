@@ -58,6 +58,14 @@ class TimedScratch {
   std::uint32_t search = 0;
 };
 
+/// Not above the time that is left to the destination for one that enters a vertex at a time: a callable
+/// (VertexId, Millis time, Millis most) -> Millis; infinity where it is out of reach. Whatever is above
+/// `most` is as good as any other such value.
+template <class F>
+concept PotentialFunction = requires(const F& left, VertexId vertex, Millis time, Millis most) {
+  { left(vertex, time, most) } -> std::convertible_to<Millis>;
+};
+
 struct TimedPath {
   Millis arrival = infinity;  ///< at the destination
   Millis owed = 0;
@@ -72,11 +80,10 @@ struct TimedLimits {
 
 /// The least arrival + owed at `destination` for one that is at `origin` at `start` and owes `owed` already;
 /// nullopt: none within the limits. A* on these labels (Dreyfus 1969 for the label-setting): exact where
-/// nothing is owed, leaving later never arrives earlier and `potential` (VertexId -> Millis) is never above
-/// the time that is left, nor falls by more than an arc takes; infinity where the destination is out of
-/// reach. With tolls one label a vertex is kept, as in the paper's dynamical hybrid: a way that is worse up
-/// to a vertex and would owe less beyond it is not seen.
-template <ArrivalFunction F, TollFunction Toll, class Potential>
+/// nothing is owed, leaving later never arrives earlier and `potential` is what it says, nor falls by more
+/// than an arc takes. With tolls one label a vertex is kept, as in the paper's dynamical hybrid: a way that
+/// is worse up to a vertex and would owe less beyond it is not seen.
+template <ArrivalFunction F, TollFunction Toll, PotentialFunction Potential>
 std::optional<TimedPath> timed_search(const Digraph& graph, VertexId origin, Millis start, Millis owed,
                                       VertexId destination, const TimedLimits& limits, const F& arrive,
                                       const Toll& toll, const Potential& potential, TimedScratch& scratch) {
@@ -84,7 +91,7 @@ std::optional<TimedPath> timed_search(const Digraph& graph, VertexId origin, Mil
   const auto reach = [&](VertexId v, Millis time, Millis debt, ArcId parent) {
     const Millis cost = add_saturating(time, debt);
     if (cost >= scratch.cost(v)) return;
-    const Millis left = potential(v);
+    const Millis left = potential(v, time, std::min(limits.below - cost, limits.latest - time));
     const Millis key = add_saturating(cost, left);
     if (key >= limits.below || add_saturating(time, left) > limits.latest) return;
     scratch.labels[v] = {.cost = cost, .owed = debt, .parent = parent, .search = scratch.search};

@@ -49,11 +49,11 @@ class Agenda {
     if (entries_[vehicle].due > now) schedule(vehicle, next_turn(vehicle, now));
   }
   void on_arrived(VehicleId vehicle) { entries_[vehicle] = {}; }
+  /// One that was asked before it wants to depart is asked again when it does, with what is seen by then.
   void reschedule(VehicleId vehicle, Millis now) {
     const Entry& entry = entries_[vehicle];
     const bool is_to_come = entry.state == State::loaded && entry.depart > now;
-    const Millis turn = next_turn(vehicle, now);
-    schedule(vehicle, is_to_come ? std::min(turn, entry.depart) : turn);
+    schedule(vehicle, is_to_come ? entry.depart : next_turn(vehicle, now));
   }
 
   /// Takes out who is due by `now`, in the order of their ids.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace thalweg {
@@ -11,6 +12,16 @@ namespace {
 /// Of the time at a stop line: 2 s are the difference between drivers, a twentieth of the time until then is
 /// what travel times are uncertain by. Three other pairs were tried on five generated cities (docs/tried.md).
 double standard_deviation(double ahead) { return 2 + 0.05 * std::max(0.0, ahead); }
+
+constexpr double fading = 60;  ///< s before SignalWaits::known_ahead in which what is known does
+
+/// Not below 0. A division of 32 bits is a fraction of the processor's time for one of 64.
+std::uint32_t modulo(Millis value, std::uint32_t cycle) {
+  if (value >= 0 && value <= std::numeric_limits<std::uint32_t>::max())
+    return static_cast<std::uint32_t>(value) % cycle;
+  const Millis rest = value % cycle;
+  return static_cast<std::uint32_t>(rest < 0 ? rest + cycle : rest);
+}
 
 /// The mean around each second of the cycle, by a normal distribution.
 std::vector<float> smoothed(std::span<const double> values, double deviation) {
@@ -37,11 +48,9 @@ std::vector<float> smoothed(std::span<const double> values, double deviation) {
 }  // namespace
 
 SignalWaits::SignalWaits(std::size_t movements) : table_of_(movements, none) {
-  while (true) {
-    const double level = std::log2(standard_deviation(static_cast<double>(level_by_second_.size())));
-    if (level >= levels) break;
-    level_by_second_.push_back(level);
-  }
+  level_by_second_.resize(known_ahead / 1000);
+  for (std::size_t second = 0; second < level_by_second_.size(); ++second)
+    level_by_second_[second] = std::log2(standard_deviation(static_cast<double>(second)));
 }
 
 void SignalWaits::set(MovementId movement, std::span<const std::size_t> until_open, Millis start) {
@@ -58,8 +67,12 @@ void SignalWaits::set(MovementId movement, std::span<const std::size_t> until_op
   Table& table = tables_[table_of_[movement]];
   table.start = start;
   table.mean = mean;
-  for (std::size_t level = 0; level < levels; ++level)
-    table.deviation[level] = smoothed(deviations, std::exp2(static_cast<double>(level)));
+  table.deviation.resize(deviations.size());
+  for (std::size_t level = 0; level < levels; ++level) {
+    const auto around = smoothed(deviations, std::exp2(static_cast<double>(level)));
+    for (std::size_t second = 0; second < around.size(); ++second)
+      table.deviation[second][level] = around[second];
+  }
 }
 
 double SignalWaits::deviation(MovementId movement, Millis time, double ahead) const {
@@ -68,20 +81,18 @@ double SignalWaits::deviation(MovementId movement, Millis time, double ahead) co
   if (whole_seconds >= level_by_second_.size()) return 0;
   const double level = level_by_second_[whole_seconds];
   const auto low = static_cast<std::size_t>(level);
-  const std::size_t cycle = table.deviation[low].size();
-  const Millis whole = static_cast<Millis>(cycle) * 1000;
-  const Millis rest = (time - table.start) % whole;
-  const Millis within = rest < 0 ? rest + whole : rest;
-  const auto second = static_cast<std::size_t>(within / 1000);
-  const auto after = second + 1 < cycle ? second + 1 : 0;
+  const std::size_t cycle = table.deviation.size();
+  const std::uint32_t within = modulo(time - table.start, static_cast<std::uint32_t>(cycle) * 1000);
+  const std::size_t second = within / 1000;
+  const std::size_t after = second + 1 < cycle ? second + 1 : 0;
   const double part = static_cast<double>(within % 1000) / 1000;
   const auto at = [&](std::size_t l) {
-    return static_cast<double>(table.deviation[l][second]) * (1 - part) +
-           static_cast<double>(table.deviation[l][after]) * part;
+    return static_cast<double>(table.deviation[second][l]) * (1 - part) +
+           static_cast<double>(table.deviation[after][l]) * part;
   };
-  const double high = low + 1 < levels ? at(low + 1) : 0;
   const double share = level - static_cast<double>(low);
-  return at(low) * (1 - share) + high * share;
+  const double known = std::min(1.0, (to_seconds(known_ahead) - ahead) / fading);
+  return known * (at(low) * (1 - share) + at(low + 1) * share);
 }
 
 }  // namespace thalweg

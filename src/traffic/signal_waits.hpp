@@ -22,6 +22,9 @@ class SignalWaits {
  public:
   explicit SignalWaits(std::size_t movements);
 
+  /// Farther ahead only means count: what is left of the knowledge then has brought nobody anything.
+  static constexpr Millis known_ahead = 240'000;
+
   /// `until_open`: for each second of the cycle, s until the movement may go (seconds_until_open); the cycle
   /// began at `start`, and begins anew without end.
   void set(MovementId movement, std::span<const std::size_t> until_open, Millis start);
@@ -45,11 +48,11 @@ class SignalWaits {
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
-  static constexpr std::size_t levels = 5;  ///< standard deviations of 1, 2, 4, 8, 16 s; of 32: only the mean
+  static constexpr std::size_t levels = 5;  ///< standard deviations of 1, 2, 4, 8, 16 s
   struct Table {
     Millis start;
     double mean;                                       ///< s; 0: not known
-    std::array<std::vector<float>, levels> deviation;  ///< s, by the second
+    std::vector<std::array<float, levels>> deviation;  ///< s, by the second
   };
 
   IdVector<MovementId, std::uint32_t> table_of_;

@@ -20,6 +20,7 @@ void TimedCosts::refresh(const Expectation& expected, Millis now) {
   horizon_ = bin_ * static_cast<Millis>(nodes_ - 1);
   costs_.resize(free_flow_.size() * nodes_);
   least_.resize(free_flow_.size());
+  least_in_mean_.resize(free_flow_.size());
   to_end_.resize(graph_.turns().vertex_count());
   delay_.resize(nodes_);
   fading_.resize(nodes_);
@@ -113,7 +114,7 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
   for (const Arc& arc : out) {
     if (is_closed_[arc.id.value]) {
       std::fill_n(costs_.data() + arc.id.value * nodes_, nodes_, static_cast<std::int32_t>(closed));
-      least_[arc.id.value] = infinity;
+      least_[arc.id.value] = least_in_mean_[arc.id.value] = infinity;
       continue;
     }
     double passing = 0;
@@ -144,7 +145,7 @@ void TimedCosts::refresh_turn(ArcId turn, double lasting, double passing) {
     cost[b] = before;
     least = std::min(least, before);
   }
-  least_[turn.value] = least;
+  least_[turn.value] = least_in_mean_[turn.value] = least;
   if (after_line_[turn.value] < 0) return;
   const Millis in_green = least - from_seconds(signal_waits_->mean(movements_[turn.value])) - 1;
   least_[turn.value] = std::max<Millis>(free_flow, in_green);

@@ -49,8 +49,9 @@ class TimedCosts {
   void refresh(const Expectation& expected, RoadId road);
 
   [[nodiscard]] Millis arrive(ArcId turn, Millis entry) const {
-    const Millis since = std::clamp<Millis>(entry - now_, 0, horizon_);
-    const auto bin = static_cast<std::size_t>(since / bin_);
+    // Divisions of 32 bits are a fraction of those of 64.
+    const auto since = static_cast<std::uint32_t>(std::clamp<Millis>(entry - now_, 0, horizon_));
+    const std::uint32_t bin = since / static_cast<std::uint32_t>(bin_);
     const Millis within = since - static_cast<Millis>(bin) * bin_;
     const std::int32_t* cost = costs_.data() + turn.value * nodes_ + bin;
     const Millis at = cost[0];
@@ -62,6 +63,8 @@ class TimedCosts {
   /// What each takes at the best time there is; infinity when it is closed. Bookings since the last refresh
   /// as a whole do not count.
   [[nodiscard]] const std::vector<Millis>& least() const { return least_; }
+  /// The same of those who come when nobody knows any more what signals will show (SignalWaits::known_ahead).
+  [[nodiscard]] const std::vector<Millis>& least_in_mean() const { return least_in_mean_; }
   /// From entering the road at the forecast's moment to its end; the turns there come on top.
   [[nodiscard]] Millis to_end(VertexId road) const { return to_end_[road.value]; }
   /// To cross the road itself, as its limit is in the net.
@@ -88,7 +91,8 @@ class TimedCosts {
   Millis bin_ = 1;
   Millis horizon_ = 0;
   std::size_t nodes_ = 1;
-  std::vector<Millis> least_;        ///< by turn
+  std::vector<Millis> least_;  ///< by turn
+  std::vector<Millis> least_in_mean_;
   std::vector<std::int32_t> costs_;  ///< ms, by turn and bin
   std::vector<Millis> to_end_;       ///< by road
   std::vector<double> fading_;       ///< share of passing residuals that is left, by bin

@@ -8,7 +8,7 @@
 namespace thalweg::testing {
 namespace {
 
-const auto no_potential = [](VertexId) -> Millis { return 0; };
+const auto no_potential = [](VertexId, Millis, Millis) -> Millis { return 0; };
 
 //     0 --1--> 1 --f--> 3     f takes 100 until time 5, and 1 from then on, but nobody who leaves later
 //      \               ^      arrives earlier: it falls by one each unit of time
@@ -110,8 +110,8 @@ TEST(TimedSearch, EqualsLabelCorrectingOnRandomGraphs) {
       }
       const auto arrive = [](ArcId arc, Millis entry) { return bent(arc.value, entry); };
       const auto found = timed_search(
-          graph, origin, start, 0, VertexId{v}, {}, arrive, no_toll, [&](VertexId u) { return left[u]; },
-          scratch);
+          graph, origin, start, 0, VertexId{v}, {}, arrive, no_toll,
+          [&](VertexId u, Millis, Millis) { return left[u]; }, scratch);
       ASSERT_EQ(found ? found->arrival : infinity, earliest[VertexId{v}])
           << "seed " << seed << " vertex " << v;
       if (!found) continue;
