@@ -10,7 +10,8 @@ Potentials::Potentials(const Digraph& turns, const OrderCache& cache)
 
 void Potentials::refresh(const std::vector<Millis>& best, const std::vector<Millis>& in_mean,
                          std::size_t threads) {
-  best_.customise(topology_, best, threads);
+  has_luck_ = best != in_mean;
+  if (has_luck_) best_.customise(topology_, best, threads);
   in_mean_.customise(topology_, in_mean, threads);
 }
 

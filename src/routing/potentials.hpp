@@ -41,7 +41,7 @@ class Potentials {
   /// where there is no way, or none of less than 24 days. What is above `most` is only known to be.
   [[nodiscard]] Millis left(Search& search, VertexId from, Millis known, Millis most) const {
     const Millis in_mean = from_label(search.in_mean.cost(topology_, in_mean_, from));
-    if (known <= 0 || in_mean >= infinity) return in_mean;
+    if (!has_luck_ || known <= 0 || in_mean >= infinity) return in_mean;
     const Millis with_luck = in_mean - known / 5;
     if (with_luck > most) return with_luck;
     if (!search.has_best) search.best.start(topology_, best_, search.destination);
@@ -53,6 +53,7 @@ class Potentials {
   CchTopology topology_;
   CchMetric<std::uint32_t> best_;  // sums saturate
   CchMetric<std::uint32_t> in_mean_;
+  bool has_luck_ = false;  ///< the two differ; else the first is not made
 };
 
 }  // namespace thalweg

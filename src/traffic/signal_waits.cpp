@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace thalweg {
@@ -14,14 +13,6 @@ namespace {
 double standard_deviation(double ahead) { return 2 + 0.05 * std::max(0.0, ahead); }
 
 constexpr double fading = 60;  ///< s before SignalWaits::known_ahead in which what is known does
-
-/// Not below 0. A division of 32 bits is a fraction of the processor's time for one of 64.
-std::uint32_t modulo(Millis value, std::uint32_t cycle) {
-  if (value >= 0 && value <= std::numeric_limits<std::uint32_t>::max())
-    return static_cast<std::uint32_t>(value) % cycle;
-  const Millis rest = value % cycle;
-  return static_cast<std::uint32_t>(rest < 0 ? rest + cycle : rest);
-}
 
 /// The mean around each second of the cycle, by a normal distribution.
 std::vector<float> smoothed(std::span<const double> values, double deviation) {
@@ -82,8 +73,10 @@ double SignalWaits::deviation(MovementId movement, Millis time, double ahead) co
   const double level = level_by_second_[whole_seconds];
   const auto low = static_cast<std::size_t>(level);
   const std::size_t cycle = table.deviation.size();
-  const std::uint32_t within = modulo(time - table.start, static_cast<std::uint32_t>(cycle) * 1000);
-  const std::size_t second = within / 1000;
+  const Millis whole = static_cast<Millis>(cycle) * 1000;
+  const Millis rest = (time - table.start) % whole;
+  const Millis within = rest < 0 ? rest + whole : rest;
+  const auto second = static_cast<std::size_t>(within / 1000);
   const std::size_t after = second + 1 < cycle ? second + 1 : 0;
   const double part = static_cast<double>(within % 1000) / 1000;
   const auto at = [&](std::size_t l) {

@@ -91,14 +91,14 @@ class TimedCosts {
   Millis bin_ = 1;
   Millis horizon_ = 0;
   std::size_t nodes_ = 1;
-  std::vector<Millis> least_;  ///< by turn
-  std::vector<Millis> least_in_mean_;
-  std::vector<std::int32_t> costs_;  ///< ms, by turn and bin
-  std::vector<Millis> to_end_;       ///< by road
-  std::vector<double> fading_;       ///< share of passing residuals that is left, by bin
-  std::vector<double> late_;         ///< share of the late ones that counts yet, by bin
-  std::vector<double> slower_;       ///< s above free flow, by road
-  std::vector<bool> is_closed_;      ///< by turn
+  std::vector<Millis> least_;          ///< by turn
+  std::vector<Millis> least_in_mean_;  ///< by turn
+  std::vector<std::int32_t> costs_;    ///< ms, by turn and bin
+  std::vector<Millis> to_end_;         ///< by road
+  std::vector<double> fading_;         ///< share of passing residuals that is left, by bin
+  std::vector<double> late_;           ///< share of the late ones that counts yet, by bin
+  std::vector<double> slower_;         ///< s above free flow, by road
+  std::vector<bool> is_closed_;        ///< by turn
   const QueueTable* forecast_ = nullptr;
   const SignalWaits* signal_waits_ = nullptr;
   std::vector<MovementId> movements_;  ///< by turn
