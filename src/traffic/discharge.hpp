@@ -32,6 +32,8 @@ class Discharge {
   void observe(const Fleet& fleet, Millis now);
 
   [[nodiscard]] double factor(LaneId lane) const { return lanes_[lane].factor; }
+  /// Has the memory fetch it.
+  void prefetch(LaneId lane) const { __builtin_prefetch(&lanes_[lane]); }
   [[nodiscard]] const Insertions& insertions() const { return insertions_; }
 
  private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -45,16 +46,17 @@ class EventCalendar {
   /// One at this time would come in the tick at hand.
   [[nodiscard]] bool is_now(double time) const { return tick_of(time) <= tick_; }
 
-  /// Handles all of them, also those that are added meanwhile. Before each, `expect(next, second, third)`
-  /// with those that follow in the same tick, so far as there are any (else null).
+  static constexpr std::size_t foreseen = 4;
+  using Foreseen = std::array<const Event*, foreseen>;
+
+  /// Handles all of them, also those that are added meanwhile. Before each, `expect(ahead)` with those that
+  /// follow it in this tick and the next ones as far as they are known, the next one first; null: none.
   template <class Expect, class Handle>
   void run(const Expect& expect, const Handle& handle) {
     for (tick_ = 0; tick_ < ticks_.size(); ++tick_) {
       for (std::uint32_t i = ticks_[tick_].first; i != none;) {
         const Event event = nodes_[i].event;
-        const std::uint32_t next = nodes_[i].next;
-        const std::uint32_t second = follow(next);
-        expect(find(next), find(second), find(follow(second)));
+        expect(foresee(i));
         handle(event);
         const std::uint32_t done = std::exchange(i, nodes_[i].next);
         nodes_[done].next = std::exchange(free_, done);
@@ -77,11 +79,17 @@ class EventCalendar {
   static std::size_t tick_of(double time) {
     return static_cast<std::size_t>(std::max(0.0, time * ticks_a_second));
   }
-  [[nodiscard]] std::uint32_t follow(std::uint32_t node) const {
-    return node == none ? none : nodes_[node].next;
-  }
-  [[nodiscard]] const Event* find(std::uint32_t node) const {
-    return node == none ? nullptr : &nodes_[node].event;
+  [[nodiscard]] Foreseen foresee(std::uint32_t node) const {
+    constexpr std::size_t ticks_ahead = 8;
+    const std::size_t last = std::min(ticks_.size() - 1, tick_ + ticks_ahead);
+    std::size_t tick = tick_;
+    Foreseen ahead{};
+    for (const Event*& one : ahead) {
+      for (node = nodes_[node].next; node == none && tick < last;) node = ticks_[++tick].first;
+      if (node == none) break;
+      one = &nodes_[node].event;
+    }
+    return ahead;
   }
 
   double horizon_;

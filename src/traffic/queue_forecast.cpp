@@ -23,7 +23,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       calendar_(horizon_),
       queues_(network.lanes.size()),
       passed_(network.lanes.size()),
-      occupancy_(network.roads.size()),
+      rooms_(network.roads.size()),
       held_up_(network.roads.size()),
       delayed_(network.roads.size()),
       lines_(network.lanes.size()),
@@ -40,7 +40,6 @@ void QueueForecast::observe(const Fleet& fleet, Millis now) {
 }
 
 void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
-  pace_ = level.pace();
   junction_pace_ = level.junction_pace();
   for (const LaneId lane : used_) {
     queues_[lane] = {};
@@ -49,7 +48,10 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   used_.clear();
   movers_.clear();
   calendar_.clear();
-  occupancy_.assign(occupancy_.size(), 0);
+  for (std::size_t i = 0; i < rooms_.size(); ++i) {
+    const RoadId road{i};
+    rooms_[road] = {.storage = servers_.storage(road), .crossing = level.pace() * servers_.free_flow(road)};
+  }
   for (auto& lanes : held_up_) lanes.clear();
   for (auto& times : delayed_) times.clear();
   for (const LaneId line : lined_) lines_[line].clear();
@@ -58,9 +60,8 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   leaving_.assign(fleet.size(), {});
   for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], now);
   assume_departures(fleet, now);
-  calendar_.run(
-      [this](const Event* next, const Event* second, const Event* third) { prefetch(next, second, third); },
-      [this](const Event& event) { handle(event); });
+  calendar_.run([this](const auto& ahead) { prefetch(ahead); },
+                [this](const Event& event) { handle(event); });
   let_in_after_horizon();
   table_.tabulate(servers_, discharge_, passed_, delayed_);
 }
@@ -77,14 +78,14 @@ void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, Millis now)
   LaneId preferred = vehicle.lane;
   if (vehicle.on_junction) {
     position = std::min(position + 1, vehicle.route.size() - 1);
-    time = 1 + crossing(vehicle.route[position]);
+    time = 1 + rooms_[vehicle.route[position]].crossing;
     preferred = {};
   } else {
     const double length = network_.lanes[vehicle.lane].length;
     const double left = length > 0 ? std::max(0.0, 1 - vehicle.metres / length) : 0;
-    time = left * crossing(vehicle.route[position]);
+    time = left * rooms_[vehicle.route[position]].crossing;
   }
-  ++occupancy_[vehicle.route[position]];
+  ++rooms_[vehicle.route[position]].occupancy;
   leaving_[id] = {.road = vehicle.route[position], .time = from_seconds(horizon_)};
   Mover mover = on(vehicle.route, position);
   mover.preferred = preferred;
@@ -133,22 +134,47 @@ void QueueForecast::add(const Mover& mover, double time, Kind kind) {
   push(time, kind, static_cast<std::uint32_t>(movers_.size() - 1));
 }
 
-void QueueForecast::prefetch(const Event* next, const Event* second, const Event* third) const {
-  if (third != nullptr) {
-    if (third->kind == Kind::reaches_end) __builtin_prefetch(&movers_[third->subject]);
-    if (third->kind == Kind::leaves) prefetch_queue(LaneId{third->subject});
+void QueueForecast::prefetch(const EventCalendar<Event>::Foreseen& ahead) {
+  for (std::size_t i = 0; i < ahead.size() && ahead[i] != nullptr; ++i) {
+    if (ahead[i]->kind == Kind::reaches_end) prefetch_reaching(ahead[i]->subject, i + 1);
+    if (ahead[i]->kind == Kind::leaves) prefetch_leaving(LaneId{ahead[i]->subject}, i + 1);
   }
-  if (second != nullptr) {
-    if (second->kind == Kind::reaches_end) __builtin_prefetch(movers_[second->subject].road);
-    if (second->kind == Kind::leaves) __builtin_prefetch(&first_in(LaneId{second->subject}));
+}
+
+void QueueForecast::prefetch_reaching(std::uint32_t id, std::size_t events_ahead) {
+  Mover& mover = movers_[id];
+  switch (events_ahead) {
+    case 4:
+      return __builtin_prefetch(&mover);
+    case 3:
+      return __builtin_prefetch(mover.road);
+    case 2:
+      mover.movement = movement_of(mover);
+      if (!mover.movement.valid()) return;
+      __builtin_prefetch(&servers_[mover.movement]);
+      for (const LaneId lane : servers_.lanes(mover.movement)) prefetch_queue(lane);
+      return;
+    default:
+      if (!mover.movement.valid()) return;
+      for (const LaneId lane : servers_.lanes(mover.movement)) {
+        const std::vector<Passed>& passed = passed_[lane];
+        __builtin_prefetch(passed.data() + passed.size(), 1);
+      }
   }
-  if (next == nullptr) return;
-  if (next->kind == Kind::leaves) __builtin_prefetch(&servers_[first_in(LaneId{next->subject}).movement]);
-  if (next->kind == Kind::reaches_end) {
-    const MovementId movement = movement_of(movers_[next->subject]);
-    if (!movement.valid()) return;
-    __builtin_prefetch(&servers_[movement]);
-    for (const LaneId lane : servers_.lanes(movement)) prefetch_queue(lane);
+}
+
+void QueueForecast::prefetch_leaving(LaneId lane, std::size_t events_ahead) const {
+  switch (events_ahead) {
+    case 4:
+      prefetch_queue(lane);
+      return discharge_.prefetch(lane);
+    case 3:
+      return __builtin_prefetch(&first_in(lane));
+    case 2:
+      __builtin_prefetch(&movers_[first_in(lane).mover]);
+      return __builtin_prefetch(&servers_[first_in(lane).movement]);
+    default:
+      return __builtin_prefetch(&rooms_[servers_[first_in(lane).movement].to]);
   }
 }
 
@@ -188,13 +214,14 @@ void QueueForecast::enter(const Event& event) {
   const std::uint32_t first = line.waiting().front().mover;
   Mover& mover = movers_[first];
   const RoadId road = *mover.road;
-  if (occupancy_[road] >= servers_.storage(road) * options_.full)
+  Room& room = rooms_[road];
+  if (room.occupancy >= room.storage * options_.full)
     return push(event.time + options_.insertion_retry, Kind::enters, id.value);
-  ++occupancy_[road];
+  ++room.occupancy;
   line.let_in_first(event.time, discharge_.insertions().headway(id));
   if (mover.vehicle.valid()) insertion_[mover.vehicle] = from_seconds(event.time);
   mover.vehicle = {};
-  push(event.time + crossing(road), Kind::reaches_end, first);
+  push(event.time + room.crossing, Kind::reaches_end, first);
   if (!line.waiting().empty()) push(line.free_at(), Kind::enters, id.value);
 }
 
@@ -217,7 +244,7 @@ Millis QueueForecast::insertion(LaneId line, Millis wanted) const {
 void QueueForecast::reach_end(const Event& event) {
   Mover& mover = movers_[event.subject];
   const RoadId road = *mover.road;
-  const MovementId movement = movement_of(mover);
+  const MovementId movement = mover.movement.valid() ? mover.movement : movement_of(mover);
   if (!movement.valid()) {
     if (mover.vehicle.valid()) leaving_[mover.vehicle].time = from_seconds(event.time);
     return give_up_place(road, event.time);
@@ -259,12 +286,14 @@ void QueueForecast::leave(LaneId lane, double time) {
   Mover& mover = movers_[passed.mover];
   const Movement& movement = servers_[passed.movement];
   const RoadId next = movement.to;
-  if (!has_room(next) && !is_out_of_patience(queue, time)) {  // the queue ahead has come back to here
+  Room& room = rooms_[next];
+  if (!has_room(room) && !is_out_of_patience(queue, time)) {  // the queue ahead has come back to here
     if (queue.blocked_since < 0) {
       queue.blocked_since = time;
       push(time + options_.blocked_patience, Kind::forces_its_way, lane.value);
     }
     held_up_[next].push_back(lane);
+    room.is_awaited = true;
     queue.held_by = next;
     queue.held_at = time;
     return;
@@ -278,9 +307,10 @@ void QueueForecast::leave(LaneId lane, double time) {
   ++queue.head;
   queue.is_active = false;
   queue.free_at = time + movement.headway * discharge_.factor(lane);
-  ++occupancy_[next];
+  ++room.occupancy;
   ++mover.road;
-  push(time + junction_pace_ * movement.through + crossing(next), Kind::reaches_end, passed.mover);
+  mover.movement = {};
+  push(time + junction_pace_ * movement.through + room.crossing, Kind::reaches_end, passed.mover);
   if (queue.head < passed_[lane].size()) schedule_head(lane);
   give_up_place(movement.from, time);
 }
@@ -288,13 +318,17 @@ void QueueForecast::leave(LaneId lane, double time) {
 void QueueForecast::force_its_way(const Event& event) {
   const LaneId lane{event.subject};
   if (!is_out_of_patience(queues_[lane], event.time)) return;  // another waits there now
-  if (std::erase(held_up_[servers_[first_in(lane).movement].to], lane) > 0) leave(lane, event.time);
+  const RoadId road = servers_[first_in(lane).movement].to;
+  if (std::erase(held_up_[road], lane) == 0) return;
+  rooms_[road].is_awaited = !held_up_[road].empty();
+  leave(lane, event.time);
 }
 
 void QueueForecast::give_up_place(RoadId road, double time) {
-  --occupancy_[road];
+  Room& room = rooms_[road];
+  --room.occupancy;
+  if (!room.is_awaited || !has_room(room)) return;
   std::vector<LaneId>& lanes = held_up_[road];
-  if (lanes.empty() || !has_room(road)) return;
   // Else those who want to get on a roundabout would fill it, and nobody could leave it any more.
   const auto rank = [&](LaneId lane) {
     return std::tuple(servers_[first_in(lane).movement].gives_way, queues_[lane].blocked_since, lane);
@@ -303,6 +337,7 @@ void QueueForecast::give_up_place(RoadId road, double time) {
       std::min_element(lanes.begin(), lanes.end(), [&](LaneId a, LaneId b) { return rank(a) < rank(b); });
   push(time + options_.gap_travel, Kind::leaves, first->value);
   lanes.erase(first);
+  room.is_awaited = !lanes.empty();
 }
 
 }  // namespace thalweg

@@ -70,8 +70,9 @@ class QueueForecast {
     const RoadId* road;  ///< of its route
     const RoadId* last;  ///< the route's last road
     LaneId preferred{};
-    VehicleId vehicle{};  ///< a real one, until it is inserted or leaves the road it was on
-    float wanted = 0;     ///< s from now: its departure
+    MovementId movement{};  ///< the next one, where it was looked for already; else invalid
+    VehicleId vehicle{};    ///< a real one, until it is inserted or leaves the road it was on
+    float wanted = 0;       ///< s from now: its departure
   };
   static constexpr double long_ago = -1e9;  ///< s from now
   /// Of a lane; the vehicles in it and those that left it are its `passed_`.
@@ -82,6 +83,13 @@ class QueueForecast {
     RoadId held_by{};           ///< the road that the last one who found no room wanted to get on
     double held_at = long_ago;  ///< s from now: when he looked for it
     bool is_active = false;
+  };
+  /// Of a road, what every vehicle that gets on it asks for, side by side.
+  struct Room {
+    double storage;   ///< vehicles
+    double crossing;  ///< s, at the present pace
+    int occupancy = 0;
+    bool is_awaited = false;  ///< somebody in `held_up_`
   };
   enum class Kind : std::uint8_t { reaches_end, leaves, forces_its_way, departs, enters };
   struct Event {
@@ -100,11 +108,12 @@ class QueueForecast {
   void assume_departures(const Fleet& fleet, Millis now);
   void repeat_departures(const Fleet& fleet, Millis known_until, Millis now);
   void add(const Mover& mover, double time, Kind kind);
-  [[nodiscard]] double crossing(RoadId road) const { return pace_ * servers_.free_flow(road); }
   /// Has the memory fetch what the next events will need: vehicles that are there at the same time are
-  /// nowhere near each other in it. What is needed to find the one thing is fetched an event before the other
-  /// (12 % of the router's time on luxembourg).
-  void prefetch(const Event* next, const Event* second, const Event* third) const;
+  /// nowhere near each other in it. What is needed to find the one thing is fetched an event before the
+  /// other.
+  void prefetch(const EventCalendar<Event>::Foreseen& ahead);
+  void prefetch_reaching(std::uint32_t mover, std::size_t events_ahead);
+  void prefetch_leaving(LaneId lane, std::size_t events_ahead) const;
   void prefetch_queue(LaneId lane) const;
   void handle(const Event& event);
   void depart(const Event& event);
@@ -114,7 +123,7 @@ class QueueForecast {
   void reach_end(const Event& event);
   void leave(LaneId lane, double time);
   void force_its_way(const Event& event);
-  [[nodiscard]] bool has_room(RoadId road) const { return occupancy_[road] < servers_.storage(road); }
+  static bool has_room(const Room& room) { return room.occupancy < room.storage; }
   /// Invalid: it arrives, or its route is not what SUMO drives.
   [[nodiscard]] MovementId movement_of(const Mover& mover) const {
     return mover.road == mover.last ? MovementId{} : servers_.find(*mover.road, mover.road[1]);
@@ -137,7 +146,6 @@ class QueueForecast {
   const Discharge& discharge_;
   ForecastOptions options_;
   double horizon_;
-  double pace_ = 1;
   double junction_pace_ = 1;
 
   std::vector<Departure> expected_;
@@ -149,7 +157,7 @@ class QueueForecast {
   IdVector<LaneId, Queue> queues_;
   IdVector<LaneId, std::vector<Passed>> passed_;
   std::vector<LaneId> used_;  ///< queues that are not as new
-  IdVector<RoadId, int> occupancy_;
+  IdVector<RoadId, Room> rooms_;
   IdVector<RoadId, std::vector<LaneId>> held_up_;  ///< lanes whose first waits for room on the road
   IdVector<RoadId, std::vector<float>> delayed_;  ///< s from now: when others who waited behind these went on
   IdVector<LaneId, WaitingLine> lines_;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace thalweg {
 namespace {
@@ -19,10 +18,18 @@ constexpr double filtered = 0.5;
 /// that road. Above one, since it cannot go round, and those whom it holds up in turn are not counted.
 constexpr double headways_held_up = 3;
 
+/// d(x) = T / 4 (x - 1 + sqrt((x - 1)^2 + 4 x h / T)), T the period, h the headway: x d'(x), of `flow`
+/// vehicles a second.
+double of_overflow(double headway, double scatter, double flow) {
+  const double x = std::min(1.0, headway * flow);  // above capacity there is a queue, whose toll is known
+  const double root = std::sqrt((x - 1) * (x - 1) + 4 * x * scatter);
+  return filtered * x * flow_period / 4 * (1 + (x - 1 + 2 * scatter) / root);
+}
+
 }  // namespace
 
 TollTable::TollTable(std::size_t roads, Millis bin, std::size_t bins)
-    : bin_(to_seconds(bin)), bins_(bins), toll_(roads * bins, 0.0F) {}
+    : bin_(to_seconds(bin)), bins_(bins), toll_(roads * bins, 0.0F), overflow_(bins) {}
 
 void TollTable::clear(RoadId road) {
   std::fill_n(toll_.begin() + static_cast<std::ptrdiff_t>(road.value * bins_), bins_, 0.0F);
@@ -31,15 +38,13 @@ void TollTable::clear(RoadId road) {
 void TollTable::add(RoadId road, float weight, const LaneQueue& lane) {
   count_waiting(lane);
   sum_arrivals(lane);
+  find_overflow(lane);
   std::size_t next = 0;
-  Flow flow;
-  double overflow = 0;
   for (std::size_t b = 0; b < bins_; ++b) {
     const double time = (static_cast<double>(b) + 0.5) * bin_;
     while (next < lane.passed.size() && lane.passed[next].arrived <= time) ++next;
-    if (const Flow before = std::exchange(flow, flow_around(b)); flow != before)
-      overflow = of_overflow(lane.headway, flow.vehicles / (bin_ * static_cast<double>(flow.bins)));
-    const double most = std::max(of_queue(lane, next, time + static_cast<double>(lane.wait[b])), overflow);
+    const double most =
+        std::max(of_queue(lane, next, time + static_cast<double>(lane.wait[b])), overflow_[b]);
     toll_[road.value * bins_ + b] += weight * static_cast<float>(most);
   }
 }
@@ -76,20 +81,15 @@ double TollTable::of_queue(const LaneQueue& lane, std::size_t next, double leave
   return holds_up ? lane.headway * std::max(1.0, waiting_[next]) : 0;
 }
 
-TollTable::Flow TollTable::flow_around(std::size_t bin) const {
+void TollTable::find_overflow(const LaneQueue& lane) {
   const auto half = static_cast<std::size_t>(flow_period / bin_ / 2);
-  const std::size_t from = bin > half ? bin - half : 0;
-  const std::size_t to = std::min(bins_, bin + half + 1);
-  return {.vehicles = arrivals_[to] - arrivals_[from], .bins = to - from};
-}
-
-/// d(x) = T / 4 (x - 1 + sqrt((x - 1)^2 + 4 x h / T)), T the period, h the headway.
-double TollTable::of_overflow(double headway, double flow) {
-  const double x = std::min(1.0, headway * flow);  // above capacity there is a queue, whose toll is known
-  if (x <= 0) return 0;
-  const double scatter = headway / flow_period;
-  const double root = std::sqrt((x - 1) * (x - 1) + 4 * x * scatter);
-  return filtered * x * flow_period / 4 * (1 + (x - 1 + 2 * scatter) / root);
+  for (std::size_t b = 0; b < bins_; ++b) {
+    const std::size_t from = b > half ? b - half : 0;
+    const std::size_t to = std::min(bins_, b + half + 1);
+    overflow_[b] = (arrivals_[to] - arrivals_[from]) / (bin_ * static_cast<double>(to - from));
+  }
+  const double scatter = lane.headway / flow_period;
+  for (double& one : overflow_) one = of_overflow(lane.headway, scatter, one);  // several at once
 }
 
 }  // namespace thalweg

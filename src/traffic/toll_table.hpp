@@ -51,24 +51,18 @@ class TollTable {
   void add_spillback(RoadId road, double headway, std::span<const float> delayed);
 
  private:
-  struct Flow {
-    double vehicles = 0;
-    std::size_t bins = 0;
-    bool operator==(const Flow&) const = default;
-  };
   void count_waiting(const LaneQueue& lane);
   void sum_arrivals(const LaneQueue& lane);
   [[nodiscard]] double of_queue(const LaneQueue& lane, std::size_t next, double leaves) const;
-  /// What reaches the lane's end within the period around a bin.
-  [[nodiscard]] Flow flow_around(std::size_t bin) const;
-  /// `flow`: vehicles a second.
-  [[nodiscard]] static double of_overflow(double headway, double flow);
+  /// overflow_, from what reaches the lane's end within the period around each bin.
+  void find_overflow(const LaneQueue& lane);
 
   double bin_;  ///< s
   std::size_t bins_;
   std::vector<float> toll_;
   std::vector<double> waiting_;   ///< scratch: from each on, how many in a row wait for the one before
   std::vector<double> arrivals_;  ///< scratch: before each bin
+  std::vector<double> overflow_;  ///< scratch: vehicles a second, then s, by bin
 };
 
 }  // namespace thalweg

@@ -17,7 +17,7 @@ using Calendar = EventCalendar<Numbered>;
 
 std::vector<int> run(Calendar& calendar) {
   std::vector<int> order;
-  calendar.run([](auto...) {}, [&](const Numbered& event) { order.push_back(event.number); });
+  calendar.run([](const auto&) {}, [&](const Numbered& event) { order.push_back(event.number); });
   return order;
 }
 
@@ -47,7 +47,7 @@ TEST(EventCalendar, TakesEventsThatAreFoundOutMeanwhile) {
   calendar.add({.time = 5, .number = 0});
   calendar.add({.time = 5.02, .number = 1});
   std::vector<int> order;
-  calendar.run([](auto...) {},
+  calendar.run([](const auto&) {},
                [&](const Numbered& event) {
                  order.push_back(event.number);
                  if (event.number != 0) return;
@@ -60,14 +60,31 @@ TEST(EventCalendar, TakesEventsThatAreFoundOutMeanwhile) {
   EXPECT_EQ(order, (std::vector{0, 1, 3, 2}));
 }
 
-TEST(EventCalendar, ShowsTheNextThreeOfTheSameTenth) {
+TEST(EventCalendar, ShowsWhatComesNextInThisTenthAndTheFollowing) {
   Calendar calendar(10);
-  for (int i = 0; i < 4; ++i) calendar.add({.time = 1, .number = i});
-  calendar.add({.time = 2, .number = 4});
+  for (int i = 0; i < 3; ++i) calendar.add({.time = 1, .number = i});
+  calendar.add({.time = 1.3, .number = 3});
+  calendar.add({.time = 5, .number = 4});  // too far from those before it
+  std::vector<std::vector<int>> shown;
+  calendar.run(
+      [&](const Calendar::Foreseen& ahead) {
+        auto& numbers = shown.emplace_back();
+        for (const Numbered* event : ahead) {
+          if (event != nullptr) numbers.push_back(event->number);
+        }
+      },
+      [](const Numbered&) {});
+  EXPECT_EQ(shown, (std::vector<std::vector<int>>{{1, 2, 3}, {2, 3}, {3}, {}, {}}));
+}
+
+TEST(EventCalendar, ShowsFourAtMost) {
+  Calendar calendar(10);
+  for (int i = 0; i < 9; ++i) calendar.add({.time = 1, .number = i});
   std::vector<int> shown;
-  const auto number = [](const Numbered* event) { return event == nullptr ? -1 : event->number; };
-  calendar.run([&](auto... events) { (shown.push_back(number(events)), ...); }, [](const Numbered&) {});
-  EXPECT_EQ(shown, (std::vector{1, 2, 3, 2, 3, -1, 3, -1, -1, -1, -1, -1, -1, -1, -1}));
+  calendar.run(
+      [&](const Calendar::Foreseen& ahead) { shown.push_back(ahead.back() ? ahead.back()->number : -1); },
+      [](const Numbered&) {});
+  EXPECT_EQ(shown, (std::vector{4, 5, 6, 7, 8, -1, -1, -1, -1}));
 }
 
 }  // namespace
