@@ -2,42 +2,34 @@
 #include "routing/hindsight.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace thalweg {
 
 Hindsight::Hindsight(std::size_t vehicles, const HindsightOptions& options)
-    : options_(options), promises_(vehicles) {}
+    : options_(options), fading_(options.memory), promises_(vehicles) {}
 
 void Hindsight::decided(VehicleId vehicle, Millis now, Millis old_arrival, Millis new_arrival, bool changed) {
-  Promise& promise = promises_[vehicle];
-  if (old_arrival >= infinity || (promise.made >= 0 && !changed)) return;
-  if (promise.made < 0) open_.push_back(vehicle);
-  promise = {.made = now,
-             .old_arrival = old_arrival,
-             .new_arrival = changed ? new_arrival : old_arrival,
-             .changed = changed};
+  if (old_arrival >= infinity || (promises_.contains(vehicle) && !changed)) return;
+  promises_[vehicle] = {.made = now,
+                        .old_arrival = old_arrival,
+                        .new_arrival = changed ? new_arrival : old_arrival,
+                        .changed = changed};
 }
 
 void Hindsight::observe(const Fleet& fleet, Millis now) {
-  const double fading = std::exp(-to_seconds(now - last_) / options_.memory);
-  last_ = now;
+  const double fading = fading_.until(now);
   for (Account* account : {&changed_, &kept_}) {
     account->old_way *= fading;
     account->new_way *= fading;
     account->taken *= fading;
     account->arrivals *= fading;
   }
-  std::erase_if(open_, [&](VehicleId vehicle) {
-    if (fleet[vehicle].state != FleetVehicle::State::away) return false;
-    const Promise& promise = promises_[vehicle];
+  promises_.settle(fleet, [&](const Promise& promise) {
     Account& account = promise.changed ? changed_ : kept_;
     account.old_way += to_seconds(promise.old_arrival - promise.made);
     account.new_way += to_seconds(promise.new_arrival - promise.made);
     account.taken += to_seconds(now - promise.made);
     account.arrivals += 1;
-    promises_[vehicle] = {};
-    return true;
   });
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <vector>
-
-#include "traffic/fleet.hpp"
+#include "traffic/fading.hpp"
+#include "traffic/until_arrival.hpp"
 
 namespace thalweg {
 
@@ -40,7 +39,7 @@ class Hindsight {
 
  private:
   struct Promise {
-    Millis made = -1;  ///< below 0: none
+    Millis made = 0;
     Millis old_arrival = 0;
     Millis new_arrival = 0;
     bool changed = false;
@@ -55,11 +54,10 @@ class Hindsight {
   };
 
   HindsightOptions options_;
-  IdVector<VehicleId, Promise> promises_;
-  std::vector<VehicleId> open_;
+  Fading fading_;
+  UntilArrival<Promise> promises_;
   Account changed_;
   Account kept_;
-  Millis last_ = 0;
 };
 
 }  // namespace thalweg

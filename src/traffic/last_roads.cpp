@@ -2,38 +2,31 @@
 #include "traffic/last_roads.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace thalweg {
 
 LastRoads::LastRoads(std::size_t vehicles, const LastRoadOptions& options)
-    : options_(options), stays_(vehicles) {}
+    : options_(options), fading_(options.memory), stays_(vehicles) {}
 
 void LastRoads::observe(const Fleet& fleet, const Expectation& expected, Millis now) {
-  const double fading = std::exp(-to_seconds(now - last_) / options_.memory);
-  last_ = now;
+  const double fading = fading_.until(now);
   expected_ *= fading;
   taken_ *= fading;
   // Both its entry and its end are noticed half an interval late, in the mean.
-  std::erase_if(open_, [&](VehicleId vehicle) {
-    if (fleet[vehicle].state != FleetVehicle::State::away) return false;
-    const Stay& stay = stays_[vehicle];
+  stays_.settle(fleet, [&](const Stay& stay) {
     expected_ += stay.delay;
     taken_ += std::min(to_seconds(now - stay.since) - stay.crossing, stay.delay + options_.most);
-    stays_[vehicle] = {};
-    return true;
   });
   for (const VehicleId vehicle : fleet.present()) {
     const FleetVehicle& own = fleet[vehicle];
     const bool has_entered = own.state == FleetVehicle::State::running && !own.is_lost && !own.on_junction &&
                              own.position > 0 && own.position + 1 == own.route.size();
-    if (!has_entered || stays_[vehicle].since >= 0) continue;
+    if (!has_entered || stays_.contains(vehicle)) continue;
     const RoadId road = own.route.back();
     if (!expected.servers.leads_on(road)) continue;
     stays_[vehicle] = {.since = now,
                        .crossing = expected.servers.free_flow(road),
                        .delay = std::max(0.0, expected.delay(road, 0))};
-    open_.push_back(vehicle);
   }
 }
 

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
-#include "traffic/fleet.hpp"
+#include "traffic/fading.hpp"
 #include "traffic/timed_costs.hpp"
+#include "traffic/until_arrival.hpp"
 
 namespace thalweg {
 
@@ -30,17 +30,16 @@ class LastRoads {
 
  private:
   struct Stay {
-    Millis since = -1;    ///< first seen there; below 0: not yet
+    Millis since = 0;     ///< first seen there
     double crossing = 0;  ///< s, nobody in the way
     double delay = 0;     ///< s, of those who drive on, as it was expected then
   };
 
   LastRoadOptions options_;
-  IdVector<VehicleId, Stay> stays_;
-  std::vector<VehicleId> open_;
+  Fading fading_;
+  UntilArrival<Stay> stays_;
   double expected_ = 0;  ///< s of delay, of those who drive on
   double taken_ = 0;     ///< s of delay, of those who ended there
-  Millis last_ = 0;
 };
 
 }  // namespace thalweg

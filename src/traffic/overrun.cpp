@@ -2,24 +2,20 @@
 #include "traffic/overrun.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace thalweg {
 
 void Overrun::predicted(VehicleId vehicle, Millis now, Millis arrival, bool is_new_way) {
   std::vector<Prediction>& own = open_[vehicle];
-  if (own.empty()) waiting_.push_back(vehicle);
   if (is_new_way) own.clear();
   own.push_back({.made = now, .arrival = arrival});
 }
 
 void Overrun::observe(const Fleet& fleet, Millis now) {
-  const double fading = std::exp(-to_seconds(now - last_) / options_.memory);
-  last_ = now;
+  const double fading = fading_.until(now);
   for (double* sum : {&n_, &x_, &y_, &xx_, &xy_}) *sum *= fading;
-  std::erase_if(waiting_, [&](VehicleId vehicle) {
-    if (fleet[vehicle].state != FleetVehicle::State::away) return false;
-    for (const Prediction& prediction : open_[vehicle]) {
+  open_.settle(fleet, [&](const std::vector<Prediction>& predictions) {
+    for (const Prediction& prediction : predictions) {
       const double foretold = to_seconds(prediction.arrival - prediction.made);
       const double most = options_.most + options_.most_share * foretold;
       const double more = std::clamp(to_seconds(now - prediction.arrival), -most, most);
@@ -29,8 +25,6 @@ void Overrun::observe(const Fleet& fleet, Millis now) {
       xx_ += foretold * foretold;
       xy_ += foretold * more;
     }
-    open_[vehicle].clear();
-    return true;
   });
   if (n_ <= 0) return;
   // The prior's predictions are as long as those that were seen, and came true.

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "traffic/fleet.hpp"
+#include "traffic/fading.hpp"
+#include "traffic/until_arrival.hpp"
 
 namespace thalweg {
 
@@ -21,7 +22,7 @@ struct OverrunOptions {
 class Overrun {
  public:
   explicit Overrun(std::size_t vehicles, const OverrunOptions& options = {})
-      : options_(options), open_(vehicles) {}
+      : options_(options), fading_(options.memory), open_(vehicles) {}
 
   /// At `now` the model foretells that it arrives at `arrival`, by a way that is new or not.
   void predicted(VehicleId vehicle, Millis now, Millis arrival, bool is_new_way);
@@ -38,13 +39,12 @@ class Overrun {
   };
 
   OverrunOptions options_;
-  IdVector<VehicleId, std::vector<Prediction>> open_;
-  std::vector<VehicleId> waiting_;  ///< those that have predictions
+  Fading fading_;
+  UntilArrival<std::vector<Prediction>> open_;
   // Sums over predictions; x: s that were foretold, y: s that it took on top.
   double n_ = 0, x_ = 0, y_ = 0, xx_ = 0, xy_ = 0;
   double share_ = 0;
   double offset_ = 0;  ///< s
-  Millis last_ = 0;
 };
 
 }  // namespace thalweg
