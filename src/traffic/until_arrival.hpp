@@ -19,7 +19,7 @@ class UntilArrival {
   /// As new where nothing is kept yet.
   T& operator[](VehicleId vehicle) {
     if (!contains(vehicle)) {
-      kept_[vehicle].emplace();
+      kept_[vehicle] = T{};
       open_.push_back(vehicle);
     }
     return *kept_[vehicle];
