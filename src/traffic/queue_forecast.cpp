@@ -24,7 +24,6 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       queues_(network.lanes.size()),
       passed_(network.lanes.size()),
       rooms_(network.roads.size()),
-      held_up_(network.roads.size()),
       delayed_(network.roads.size()),
       lines_(network.lanes.size()),
       table_(network, options.bin, options.bins, options.tolls) {}
@@ -50,9 +49,12 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   calendar_.clear();
   for (std::size_t i = 0; i < rooms_.size(); ++i) {
     const RoadId road{i};
-    rooms_[road] = {.storage = servers_.storage(road), .crossing = level.pace() * servers_.free_flow(road)};
+    Room& room = rooms_[road];
+    room.storage = servers_.storage(road);
+    room.crossing = level.pace() * servers_.free_flow(road);
+    room.occupancy = 0;
+    room.held_up.clear();
   }
-  for (auto& lanes : held_up_) lanes.clear();
   for (auto& times : delayed_) times.clear();
   for (const LaneId line : lined_) lines_[line].clear();
   lined_.clear();
@@ -287,13 +289,12 @@ void QueueForecast::leave(LaneId lane, double time) {
   const Movement& movement = servers_[passed.movement];
   const RoadId next = movement.to;
   Room& room = rooms_[next];
-  if (!has_room(room) && !is_out_of_patience(queue, time)) {  // the queue ahead has come back to here
+  if (room.is_full() && !is_out_of_patience(queue, time)) {  // the queue ahead has come back to here
     if (queue.blocked_since < 0) {
       queue.blocked_since = time;
       push(time + options_.blocked_patience, Kind::forces_its_way, lane.value);
     }
-    held_up_[next].push_back(lane);
-    room.is_awaited = true;
+    room.held_up.push_back(lane);
     queue.held_by = next;
     queue.held_at = time;
     return;
@@ -318,17 +319,14 @@ void QueueForecast::leave(LaneId lane, double time) {
 void QueueForecast::force_its_way(const Event& event) {
   const LaneId lane{event.subject};
   if (!is_out_of_patience(queues_[lane], event.time)) return;  // another waits there now
-  const RoadId road = servers_[first_in(lane).movement].to;
-  if (std::erase(held_up_[road], lane) == 0) return;
-  rooms_[road].is_awaited = !held_up_[road].empty();
-  leave(lane, event.time);
+  if (std::erase(rooms_[servers_[first_in(lane).movement].to].held_up, lane) > 0) leave(lane, event.time);
 }
 
 void QueueForecast::give_up_place(RoadId road, double time) {
   Room& room = rooms_[road];
   --room.occupancy;
-  if (!room.is_awaited || !has_room(room)) return;
-  std::vector<LaneId>& lanes = held_up_[road];
+  std::vector<LaneId>& lanes = room.held_up;
+  if (lanes.empty() || room.is_full()) return;
   // Else those who want to get on a roundabout would fill it, and nobody could leave it any more.
   const auto rank = [&](LaneId lane) {
     return std::tuple(servers_[first_in(lane).movement].gives_way, queues_[lane].blocked_since, lane);
@@ -337,7 +335,6 @@ void QueueForecast::give_up_place(RoadId road, double time) {
       std::min_element(lanes.begin(), lanes.end(), [&](LaneId a, LaneId b) { return rank(a) < rank(b); });
   push(time + options_.gap_travel, Kind::leaves, first->value);
   lanes.erase(first);
-  room.is_awaited = !lanes.empty();
 }
 
 }  // namespace thalweg

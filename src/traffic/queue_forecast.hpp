@@ -86,10 +86,11 @@ class QueueForecast {
   };
   /// Of a road, what every vehicle that gets on it asks for, side by side.
   struct Room {
-    double storage;   ///< vehicles
-    double crossing;  ///< s, at the present pace
+    double storage = 0;   ///< vehicles
+    double crossing = 0;  ///< s, at the present pace
     int occupancy = 0;
-    bool is_awaited = false;  ///< somebody in `held_up_`
+    std::vector<LaneId> held_up{};  ///< lanes whose first waits for room here
+    [[nodiscard]] bool is_full() const { return occupancy >= storage; }
   };
   enum class Kind : std::uint8_t { reaches_end, leaves, forces_its_way, departs, enters };
   struct Event {
@@ -123,7 +124,6 @@ class QueueForecast {
   void reach_end(const Event& event);
   void leave(LaneId lane, double time);
   void force_its_way(const Event& event);
-  static bool has_room(const Room& room) { return room.occupancy < room.storage; }
   /// Invalid: it arrives, or its route is not what SUMO drives.
   [[nodiscard]] MovementId movement_of(const Mover& mover) const {
     return mover.road == mover.last ? MovementId{} : servers_.find(*mover.road, mover.road[1]);
@@ -158,7 +158,6 @@ class QueueForecast {
   IdVector<LaneId, std::vector<Passed>> passed_;
   std::vector<LaneId> used_;  ///< queues that are not as new
   IdVector<RoadId, Room> rooms_;
-  IdVector<RoadId, std::vector<LaneId>> held_up_;  ///< lanes whose first waits for room on the road
   IdVector<RoadId, std::vector<float>> delayed_;  ///< s from now: when others who waited behind these went on
   IdVector<LaneId, WaitingLine> lines_;
   std::vector<LaneId> lined_;  ///< lines that are not as new

@@ -19,7 +19,7 @@ class UntilArrival {
   /// As new where nothing is kept yet.
   T& operator[](VehicleId vehicle) {
     if (!contains(vehicle)) {
-      kept_[vehicle] = T{};
+      kept_[vehicle] = T{};  // not emplace(): clang has no constructor yet for a T nested in who keeps it
       open_.push_back(vehicle);
     }
     return *kept_[vehicle];
