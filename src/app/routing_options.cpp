@@ -38,6 +38,9 @@ std::vector<OptionSpec> routing_options() {
       {"routing", "no-signal-phases", 0, "BOOL", "false",
        "forecast, booking, marginal, memory: signals by their mean waits, not by what they show at which "
        "time"},
+      {"routing", "no-assumed-departures", 0, "BOOL", "false",
+       "forecast, booking, marginal, memory: nobody sets out but those that SUMO has loaded; else the last "
+       "ten minutes' departures are assumed again"},
       {"routing", "stall", 0, "TIME", seconds(control.stall),
        "A run without an end stops when nothing has arrived for so long"},
       threads_option(),
@@ -94,6 +97,7 @@ StrategyOptions strategy_options(const Options& options) {
                    .absolute = options.time("gain.absolute")},
           .toll = toll,
           .signal_phases = !options.flag("no-signal-phases"),
+          .assumed_departures = !options.flag("no-assumed-departures"),
           .threads = thread_count(options),
           .order_cache = order_cache(options)};
 }

@@ -29,7 +29,9 @@ class ForecastStrategy : public Strategy {
       : rule_(options.rule),
         manners_(manners),
         memory_(options.memory),
-        signal_phases_(options.signal_phases),
+        forecast_{.repeated = options.assumed_departures ? ForecastOptions{}.repeated : 0,
+                  .tolls = manners.toll > 0},
+        servers_{.signal_phases = options.signal_phases},
         order_cache_(options.order_cache),
         workers_(std::max<std::size_t>(1, options.threads)) {}
 
@@ -39,9 +41,7 @@ class ForecastStrategy : public Strategy {
   }
 
   void watch(const TrafficState& state) override {
-    if (!foresight_)
-      foresight_.emplace(state, memory_, ForecastOptions{.tolls = manners_.toll > 0},
-                         ServerOptions{.signal_phases = signal_phases_});
+    if (!foresight_) foresight_.emplace(state, memory_, forecast_, servers_);
     if (!foresight_->watch(state)) return;
     rule_.caution = foresight_->hindsight().caution();
     for (auto& seen : classes_) seen.is_fresh = false;
@@ -224,7 +224,8 @@ class ForecastStrategy : public Strategy {
   ChoiceRule rule_;
   Manners manners_;
   const Memory* memory_;
-  bool signal_phases_;
+  ForecastOptions forecast_;
+  ServerOptions servers_;
   OrderCache order_cache_;
   std::optional<Foresight> foresight_;
   std::vector<ClassView> classes_;

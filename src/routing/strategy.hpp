@@ -126,6 +126,8 @@ struct StrategyOptions {
   double toll = 0.4;
   /// Whether those who look ahead know what signals show at which time, or their mean waits only.
   bool signal_phases = true;
+  /// Whether these assume that the last minutes' departures come again, beyond those that SUMO has loaded.
+  bool assumed_departures = true;
   std::size_t threads = 1;
   OrderCache order_cache{};        ///< of the hierarchy; nowhere by default
   const Memory* memory = nullptr;  ///< of the days before, for `memory`; outlives the strategy

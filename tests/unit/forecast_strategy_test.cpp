@@ -114,5 +114,34 @@ TEST(Forecast, WhoEndsOnARoadThatASignSlowsIsSlowThere) {
   EXPECT_NEAR(to_seconds(ends_at_c(0, 5).at_the_end), 30, 0.1);
 }
 
+//     E              Every second a vehicle has set out for D, from EB and from BC in turn, for ten minutes;
+//     all |              are gone. One enters AB, for D as well.
+// A---B---C---D
+Millis cost_to_d(bool assumed_departures) {
+  Watched traffic(ascii_network("    E\n    |\n    |\nA---B---C---D"), 601);
+  const RoadGraph graph(traffic.network, VehicleClass::passenger);
+  const auto strategy = make_strategy("forecast", {.assumed_departures = assumed_departures});
+  for (std::size_t i = 0; i < 600; ++i) {
+    const Millis depart = 1000 * static_cast<Millis>(i);
+    traffic.driven.load(i, i % 2 == 0 ? "EBCD" : "BCD", depart);
+    strategy->watch(traffic.look({}, depart));
+    traffic.driven.fleet.on_departed(VehicleId{i});
+    traffic.driven.fleet.on_arrived(VehicleId{i});
+  }
+  traffic.driven.load(600, "ABCD");
+  strategy->watch(traffic.look({{.vehicle = 600, .road = "AB"}}, 600'000));
+  Traveller due{.vehicle = VehicleId{600U}};
+  for (const char* id : {"AB", "BC", "CD"}) due.route.push_back(vertex(traffic.network, graph, id));
+  due.waypoints = {due.route.back()};
+  const std::vector<Millis> costs(graph.turns().arc_count(), 30'000);
+  const std::vector<ClassTraffic> classes{
+      {.graph = &graph, .free_flow = {}, .road_times = {}, .turn_costs = costs}};
+  std::vector<Decision> decisions;
+  strategy->decide(classes, std::vector{due}, decisions);
+  return decisions[0].old_cost;
+}
+
+TEST(Forecast, ExpectsThatOthersSetOutAsBefore) { EXPECT_GT(cost_to_d(true), cost_to_d(false) + 10'000); }
+
 }  // namespace
 }  // namespace thalweg::testing
