@@ -9,9 +9,9 @@
 
 #include "core/hash.hpp"
 #include "simulation/agenda.hpp"
-#include "simulation/kept_positions.hpp"
 #include "simulation/live_traffic.hpp"
 #include "simulation/signal_watch.hpp"
+#include "simulation/traveller.hpp"
 #include "traffic/conditions.hpp"
 
 namespace thalweg {
@@ -135,7 +135,8 @@ class Controller {
     if (travellers_.empty()) return;
     for (const Traveller& traveller : travellers_)
       traffic_.refresh(traveller.vehicle_class, measured_, conditions_);
-    for (std::size_t i = 0; i < travellers_.size(); ++i) travellers_[i].until_route = until_route(i);
+    for (std::size_t i = 0; i < travellers_.size(); ++i)
+      travellers_[i].until_route = until_route(travellers_[i], plans_[i]);
     strategy_.decide(traffic_.all(), travellers_, decisions_);
     result_.decisions += travellers_.size();
     for (std::size_t i = 0; i < travellers_.size(); ++i) apply(travellers_[i], plans_[i], decisions_[i]);
@@ -151,46 +152,26 @@ class Controller {
     }
     if (!plan.can_change || plan.committed >= plan.route.size()) return;
     if (strategy_.looks_ahead()) fleet_.on_plan(vehicle, plan.route);
-    Traveller traveller;
-    traveller.vehicle = vehicle;
-    traveller.vehicle_class = traffic_.index_of(wanted.vehicle_class);
-    traveller.patience = unit_hash(wanted.id);
-    traveller.departed = agenda_.departed(vehicle);
-    traveller.driven = plan.committed == 1 ? plan.driven : 0;
-    const RoadGraph& graph = traffic_.graph(traveller.vehicle_class);
-    const std::size_t first = plan.committed - 1;
-    for (std::size_t i = first; i < plan.route.size(); ++i) {
-      const VertexId vertex = graph.vertex(plan.route[i]);
-      if (!vertex.valid()) return;
-      traveller.route.push_back(vertex);
-    }
-    for (const std::size_t position : kept_positions(plan, wanted.via)) {
-      const bool is_new = position > first && traveller.route[position - first] !=
-                                                  (traveller.waypoints.empty() ? traveller.route.front()
-                                                                               : traveller.waypoints.back());
-      if (is_new) traveller.waypoints.push_back(traveller.route[position - first]);
-    }
-    if (traveller.waypoints.empty()) return;  // it is where it wants to be
     // The same question has the same answer; where there was no way, new costs do not bring one.
     const Question& last = last_questions_[vehicle];
-    if (last.from == plan.route[first] && (last.news == news_ || !last.had_answer)) return;
-    travellers_.push_back(std::move(traveller));
+    if (last.from == plan.route[plan.committed - 1] && (last.news == news_ || !last.had_answer)) return;
+    const std::size_t vehicle_class = traffic_.index_of(wanted.vehicle_class);
+    std::optional<Traveller> traveller = thalweg::traveller(plan, wanted, traffic_.graph(vehicle_class));
+    if (!traveller) return;
+    traveller->vehicle = vehicle;
+    traveller->vehicle_class = vehicle_class;
+    traveller->departed = agenda_.departed(vehicle);
+    travellers_.push_back(*std::move(traveller));
     plans_.push_back(std::move(plan));
   }
 
-  [[nodiscard]] Millis until_route(std::size_t i) const {
-    const Plan& plan = plans_[i];
+  [[nodiscard]] Millis until_route(const Traveller& traveller, const Plan& plan) const {
     Millis until_depart = 0;
-    if (!travellers_[i].departed) {
-      const auto depart = demand_.vehicles[travellers_[i].vehicle].depart;
+    if (!traveller.departed) {
+      const auto depart = demand_.vehicles[traveller.vehicle].depart;
       until_depart = std::max<Millis>(0, depart.value_or(simulation_.now()) - simulation_.now());
     }
-    const RoadTimes& times = traffic_[travellers_[i].vehicle_class].road_times;
-    const Millis behind = static_cast<Millis>(
-        plan.driven * static_cast<double>(std::min(times[plan.route.front()], infinity / 4)));
-    Millis ahead = 0;
-    for (std::size_t k = 0; k + 1 < plan.committed; ++k) ahead = add_saturating(ahead, times[plan.route[k]]);
-    return until_depart + ahead - behind;
+    return until_free_turn(plan, until_depart, traffic_[traveller.vehicle_class].road_times);
   }
 
   void apply(const Traveller& traveller, const Plan& plan, Decision& decision) {

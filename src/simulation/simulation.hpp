@@ -21,13 +21,13 @@ struct StepEvents {
 
 /// What SUMO knows of one vehicle's way.
 struct Plan {
-  std::vector<RoadId> route;  ///< from the road it is on (on a junction: the one it comes from) to its last
-  std::size_t committed = 1;  ///< so many roads at the front can no longer change
+  std::vector<RoadId> route{};  ///< from the road it is on (on a junction: the one it comes from) to its last
+  std::size_t committed = 1;    ///< so many roads at the front can no longer change
   /// So many junctions are near, and it comes to each on a lane that leads to its next road alone.
   std::size_t own_lanes = 0;
-  double driven = 0;              ///< share of route.front() that lies behind it, 0 .. 1
-  std::vector<RoadId> waypoints;  ///< its stops ahead and its `via` still ahead, in the order of the route
-  bool can_change = true;         ///< false: it is not on the road (teleporting, parked) or its route is odd
+  double driven = 0;                ///< share of route.front() that lies behind it, 0 .. 1
+  std::vector<RoadId> waypoints{};  ///< its stops ahead and its `via` still ahead, in the order of the route
+  bool can_change = true;  ///< false: it is not on the road (teleporting, parked) or its route is odd
 };
 
 /// A running simulation, as the control loop needs it. SumoSession is SUMO; tests have one of their own.
