@@ -9,6 +9,7 @@
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <ctime>
+#include <utility>
 
 #include "app/messages.hpp"
 #include "app/routing_options.hpp"
@@ -115,11 +116,14 @@ void check_files(const Settings& settings) {
 }
 
 void make_output_folder(const fs::path& folder) {
-  verify(
-      folder.string().find_first_of(",;") == std::string::npos,
-      fmt::format("the output folder '{}' has a comma or semicolon in its name, which SUMO takes for the end "
-                  "of a file's name",
-                  folder.string()));
+  for (const auto& [marks, meaning] :
+       {std::pair{",;", "for the end of a file's name"}, {":", "for a host's port"}}) {
+    verify(folder.string().find_first_of(marks) == std::string::npos,
+           fmt::format(
+               "the output folder '{}' has one of \"{}\" in its name, which SUMO takes {}: choose another "
+               "with --output-folder",
+               folder.string(), marks, meaning));
+  }
   std::error_code error;
   fs::create_directories(folder, error);
   const fs::path probe = folder / ".thalweg-probe";

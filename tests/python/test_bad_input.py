@@ -109,7 +109,10 @@ class BadInput(support.TestCase):
     def test_a_folder_that_sumo_cannot_name(self):
         net = self.net(NET)
         write_routes(self.place / "t.trips.xml", ['<trip id="t" depart="0" from="a" to="b"/>'])
-        self.fails("comma", "run", "-n", net, "-r", self.place / "t.trips.xml", "-o", "a,b")
+        for folder in ("a,b", "a;b"):
+            self.fails(f"{folder}.*end of a file's name.*--output-folder", "run", "-n", net, "-r", self.place / "t.trips.xml",
+                       "-o", folder)
+        self.fails("a:b.*host's port.*--output-folder", "run", "-n", net, "-r", self.place / "t.trips.xml", "-o", "a:b")
         odd = self.place / "c,d"
         odd.mkdir()
         write(odd / "x.sumocfg", '<configuration><net-file value="x.net.xml"/></configuration>')
