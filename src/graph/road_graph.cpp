@@ -105,7 +105,7 @@ RoadTimes free_flow_times(const Network& network, VehicleClass vehicle_class, do
     Millis& own = penalty[network.lanes[c.via].road];
     // As in SUMO's routers the last of these counts: a signalled turn-around costs what a signal costs.
     if (gives_way(c.state)) own = penalties.minor;
-    if (c.direction == 't' || c.direction == 'T') own = penalties.turnaround;
+    if (is_turnaround(c)) own = penalties.turnaround;
     if (c.signal.valid()) own = penalties.signal;
   }
   for (std::size_t i = 0; i < times.size(); ++i) {

@@ -88,6 +88,10 @@ struct Connection {
   int link_index = -1;
   Permissions permissions = Permissions::all();
 };
+/// It leads back into the reverse of its road.
+inline bool is_turnaround(const Connection& connection) {
+  return connection.direction == 't' || connection.direction == 'T';
+}
 
 struct Junction {
   std::string id;

@@ -61,6 +61,10 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   insertion_.assign(fleet.size(), 0);
   leaving_.assign(fleet.size(), {});
   for (const VehicleId vehicle : fleet.present()) place(vehicle, fleet[vehicle], now);
+  for (std::size_t i = 0; i < rooms_.size(); ++i) {
+    const Room& room = rooms_[RoadId{i}];
+    table_.note_taken(RoadId{i}, room.occupancy / std::max(1.0, room.storage));
+  }
   assume_departures(fleet, now);
   calendar_.run([this](const auto& ahead) { prefetch(ahead); },
                 [this](const Event& event) { handle(event); });

@@ -30,6 +30,7 @@ QueueTable::QueueTable(const Network& network, Millis bin, std::size_t bins, boo
       bins_(bins),
       wait_(network.roads.size() * bins, 0.0F),
       arrivals_(network.roads.size() * bins, 0.0F),
+      taken_(network.roads.size(), 0),
       headway_(network.roads.size(), 0),
       delay_(network.roads.size(), 0),
       is_empty_(network.roads.size(), true),

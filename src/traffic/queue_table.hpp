@@ -27,6 +27,8 @@ class QueueTable {
   void tabulate(const Servers& servers, const Discharge& discharge,
                 const IdVector<LaneId, std::vector<Passed>>& passed,
                 const IdVector<RoadId, std::vector<float>>& delayed);
+  /// At the forecast's moment so much of the road's room is taken.
+  void note_taken(RoadId road, double share) { taken_[road] = share; }
 
   [[nodiscard]] Millis bin() const { return bin_; }
   [[nodiscard]] std::size_t bins() const { return bins_; }
@@ -48,6 +50,8 @@ class QueueTable {
   /// s that all others arrive later because of one that reaches the end in this bin. Only of a table with
   /// tolls.
   [[nodiscard]] float toll(RoadId road, std::size_t bin) const { return tolls_->at(road, bin); }
+  /// Share of the road's room that vehicles take at the forecast's moment.
+  [[nodiscard]] double taken(RoadId road) const { return taken_[road]; }
   /// s between two that leave the road, by whatever lane.
   [[nodiscard]] double headway(RoadId road) const { return headway_[road]; }
 
@@ -64,6 +68,7 @@ class QueueTable {
   std::vector<float> wait_;
   std::vector<float> arrivals_;
   std::optional<TollTable> tolls_;  ///< none: not asked for
+  IdVector<RoadId, double> taken_;
   IdVector<RoadId, double> headway_;
   IdVector<RoadId, double> delay_;   ///< s that the first one waits
   IdVector<RoadId, bool> is_empty_;  ///< its rows are those of a road that nobody reached the end of

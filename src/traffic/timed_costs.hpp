@@ -35,7 +35,8 @@ struct Expectation {
 /// The time of every turn by the time of entering the road that is left, as one class will find it: the
 /// paper's f(t, I) over the horizon of a forecast. Piecewise linear, and made so that leaving later never
 /// arrives earlier; before now it is that of now, after the horizon that of its end. On top, where a signal
-/// shows the same in every cycle and no queue stands: what it shows at that time (SignalWaits).
+/// shows the same in every cycle and no queue stands: what it shows at that time (SignalWaits); and for a
+/// turn back onto a road that is crowded now, what makes that a last resort.
 class TimedCosts {
  public:
   TimedCosts(const Network& network, const RoadGraph& graph);
@@ -75,6 +76,7 @@ class TimedCosts {
   }
 
  private:
+  void find_turns_back(const Network& network);
   void take_signals(const Expectation& expected);
   /// When one that entered the road at `entry` has made the turn, who would have at `out` in the mean of a
   /// cycle.
@@ -83,6 +85,11 @@ class TimedCosts {
   /// `lasting`, `passing`: s within the junction.
   void refresh_turn(ArcId turn, double lasting, double passing);
   void take_conditions(const Conditions& conditions);
+
+  /// Who turns back onto a road without room waits for it within the junction, in the way of all behind him,
+  /// and where another one does so at the road's other end neither of them ever moves again.
+  static constexpr double crowded = 0.5;      ///< share of a road's room that is taken
+  static constexpr double turned_back = 120;  ///< s
 
   const RoadGraph& graph_;
   RoadTimes road_times_;
@@ -99,6 +106,7 @@ class TimedCosts {
   std::vector<double> late_;           ///< share of the late ones that counts yet, by bin
   std::vector<double> slower_;         ///< s above free flow, by road
   std::vector<bool> is_closed_;        ///< by turn
+  std::vector<bool> turns_back_;       ///< by turn: into the reverse of its road
   const QueueTable* forecast_ = nullptr;
   const SignalWaits* signal_waits_ = nullptr;
   std::vector<MovementId> movements_;  ///< by turn
