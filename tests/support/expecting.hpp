@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "support/queueing.hpp"
 #include "traffic/queue_forecast.hpp"
 #include "traffic/timed_costs.hpp"
@@ -10,9 +12,11 @@
 namespace thalweg::testing {
 
 //     A---B---C---D      30 s each, 2 s a vehicle
-/// All that costs are made of, learned from nothing yet.
+/// All that costs are made of, learned from nothing yet; of this net or another.
 class Expecting : public ::testing::Test {
  protected:
+  explicit Expecting(Network network = ascii_network("A---B---C---D")) : net(std::move(network)) {}
+
   [[nodiscard]] Expectation expected(const Conditions& conditions) const {
     return {.forecast = table,
             .bookings = bookings,
@@ -22,7 +26,7 @@ class Expecting : public ::testing::Test {
             .conditions = conditions};
   }
 
-  Network net = ascii_network("A---B---C---D");
+  Network net;
   Servers servers{net};
   Level level{net};
   Residuals residuals{net};

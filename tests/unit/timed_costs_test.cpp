@@ -136,6 +136,37 @@ TEST_F(TimedCostsTest, KnowWhatIsClosedAndWhatIsSlow) {
   EXPECT_EQ(costs.least()[turn("BC").value], 150'000) << "nobody will find it faster";
 }
 
+//     A---B---C      at B one may turn back; AB and BA have room for 40
+class TurningBack : public Expecting {
+ protected:
+  TurningBack() : Expecting(ascii_network("A---B---C", {.turn_arounds = true})) {}
+  /// s from AB to this road, when so many stand on BA.
+  [[nodiscard]] double time_to(const char* to, std::size_t on_ba) {
+    Driven driven(net, 40);
+    std::vector<Driven::At> places;
+    for (std::size_t i = 0; i < on_ba; ++i) {
+      driven.load(i, "BA");
+      places.push_back({.vehicle = i, .road = "BA", .metres = 290 - 7.5 * static_cast<double>(i)});
+    }
+    driven.look(places);
+    queues.run(driven.fleet, level, 0);
+    costs.refresh(expected(unchanged), 0);
+    for (const Arc& arc : graph.turns().out(vertex(net, graph, "AB"))) {
+      if (arc.end == vertex(net, graph, to)) return to_seconds(costs.arrive(arc.id, 0));
+    }
+    return -1;
+  }
+
+  RoadGraph graph{net, VehicleClass::passenger};
+  TimedCosts costs{net, graph};
+};
+
+TEST_F(TurningBack, IsALastResortWhereTheRoadIsHalfFull) {
+  EXPECT_NEAR(time_to("BA", 19), 30, 0.1);
+  EXPECT_NEAR(time_to("BA", 20), 150, 0.1);
+  EXPECT_NEAR(time_to("BC", 40), 30, 0.1) << "straight on is as before";
+}
+
 //     A --150 m--> B --> C     at B a signal, from 0 s on: 30 s red, 30 s green
 constexpr const char* signalled = R"(<net>
   <edge id=":B_0" function="internal"><lane id=":B_0_0" index="0" length="20" speed="10"/></edge>
