@@ -156,7 +156,7 @@ class Controller {
     const Question& last = last_questions_[vehicle];
     if (last.from == plan.route[plan.committed - 1] && (last.news == news_ || !last.had_answer)) return;
     const std::size_t vehicle_class = traffic_.index_of(wanted.vehicle_class);
-    std::optional<Traveller> traveller = thalweg::traveller(plan, wanted, traffic_.graph(vehicle_class));
+    std::optional<Traveller> traveller = make_traveller(plan, wanted, traffic_.graph(vehicle_class));
     if (!traveller) return;
     traveller->vehicle = vehicle;
     traveller->vehicle_class = vehicle_class;

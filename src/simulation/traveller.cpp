@@ -8,7 +8,8 @@
 
 namespace thalweg {
 
-std::optional<Traveller> traveller(const Plan& plan, const DemandVehicle& wanted, const RoadGraph& graph) {
+std::optional<Traveller> make_traveller(const Plan& plan, const DemandVehicle& wanted,
+                                        const RoadGraph& graph) {
   Traveller result;
   result.patience = unit_hash(wanted.id);
   result.driven = plan.committed == 1 ? plan.driven : 0;

@@ -74,13 +74,28 @@ TEST(Toll, IsWholeInMarginal) {
             by_c({.toll = 1, .least_gain = 15'000}));
 }
 
+/// What it decides for one that enters the first of these roads, by the junctions of its way.
+Decision decision_of(Strategy& strategy, const Network& net, std::size_t vehicle,
+                     std::string_view junctions) {
+  const RoadGraph graph(net, VehicleClass::passenger);
+  Traveller due;
+  due.vehicle = VehicleId{vehicle};
+  for (const RoadId road : way(net, junctions)) due.route.push_back(graph.vertex(road));
+  due.waypoints = {due.route.back()};
+  const std::vector<Millis> costs(graph.turns().arc_count(), 30'000);
+  const std::vector<ClassTraffic> classes{
+      {.graph = &graph, .free_flow = {}, .road_times = {}, .turn_costs = costs}};
+  std::vector<Decision> decisions;
+  strategy.decide(classes, std::vector{due}, decisions);
+  return decisions[0];
+}
+
 //     A---B---C---D      30 s each, junctions 2 s. Forty stand at the end of BC for 80 s, or nobody; one
 //                        that enters AB ends at C.
 Decision ends_at_c(std::size_t queue, double limit = 10) {
   Network net = ascii_network("A---B---C---D");
   const LaneId bc = net.roads[road(net, "BC")].first_lane;
   Watched traffic(std::move(net), 41, {{.lane = bc, .speed = limit}});
-  const RoadGraph graph(traffic.network, VehicleClass::passenger);
   std::vector<Driven::At> places;
   for (std::size_t i = 0; i < queue; ++i) {
     traffic.driven.load(i, "BCD");
@@ -90,15 +105,7 @@ Decision ends_at_c(std::size_t queue, double limit = 10) {
   places.push_back({.vehicle = 40, .road = "AB"});
   const auto strategy = make_strategy("forecast", {});
   strategy->watch(traffic.look(places, 0));
-  const VertexId end = vertex(traffic.network, graph, "BC");
-  const std::vector<Traveller> due{
-      {.vehicle = VehicleId{40U}, .route = {vertex(traffic.network, graph, "AB"), end}, .waypoints = {end}}};
-  const std::vector<Millis> costs(graph.turns().arc_count(), 30'000);
-  const std::vector<ClassTraffic> classes{
-      {.graph = &graph, .free_flow = {}, .road_times = {}, .turn_costs = costs}};
-  std::vector<Decision> decisions;
-  strategy->decide(classes, due, decisions);
-  return decisions[0];
+  return decision_of(*strategy, traffic.network, 40, "ABC");
 }
 
 // Who is at its end in 62 s, between 60 and 80, would wait there for 10 s to drive on; half of that if it
@@ -114,12 +121,11 @@ TEST(Forecast, WhoEndsOnARoadThatASignSlowsIsSlowThere) {
   EXPECT_NEAR(to_seconds(ends_at_c(0, 5).at_the_end), 30, 0.1);
 }
 
-//     E              Every second a vehicle has set out for D, from EB and from BC in turn, for ten minutes;
-//     all |              are gone. One enters AB, for D as well.
+//     E          Every second a vehicle has set out for D, from EB and from BC in turn, for ten
+//     |          minutes. All of them are gone. One enters AB, for D as well.
 // A---B---C---D
 Millis cost_to_d(bool assumed_departures) {
   Watched traffic(ascii_network("    E\n    |\n    |\nA---B---C---D"), 601);
-  const RoadGraph graph(traffic.network, VehicleClass::passenger);
   const auto strategy = make_strategy("forecast", {.assumed_departures = assumed_departures});
   for (std::size_t i = 0; i < 600; ++i) {
     const Millis depart = 1000 * static_cast<Millis>(i);
@@ -130,15 +136,7 @@ Millis cost_to_d(bool assumed_departures) {
   }
   traffic.driven.load(600, "ABCD");
   strategy->watch(traffic.look({{.vehicle = 600, .road = "AB"}}, 600'000));
-  Traveller due{.vehicle = VehicleId{600U}};
-  for (const char* id : {"AB", "BC", "CD"}) due.route.push_back(vertex(traffic.network, graph, id));
-  due.waypoints = {due.route.back()};
-  const std::vector<Millis> costs(graph.turns().arc_count(), 30'000);
-  const std::vector<ClassTraffic> classes{
-      {.graph = &graph, .free_flow = {}, .road_times = {}, .turn_costs = costs}};
-  std::vector<Decision> decisions;
-  strategy->decide(classes, std::vector{due}, decisions);
-  return decisions[0].old_cost;
+  return decision_of(*strategy, traffic.network, 600, "ABCD").old_cost;
 }
 
 TEST(Forecast, ExpectsThatOthersSetOutAsBefore) { EXPECT_GT(cost_to_d(true), cost_to_d(false) + 10'000); }

@@ -11,6 +11,7 @@ namespace {
 
 class TimedCostsTest : public Expecting {
  protected:
+  using Expecting::Expecting;
   [[nodiscard]] ArcId turn(const char* from) const {
     return graph.turns().out(vertex(net, graph, from)).front().id;
   }
@@ -137,9 +138,9 @@ TEST_F(TimedCostsTest, KnowWhatIsClosedAndWhatIsSlow) {
 }
 
 //     A---B---C      at B one may turn back; AB and BA have room for 40
-class TurningBack : public Expecting {
+class TurningBack : public TimedCostsTest {
  protected:
-  TurningBack() : Expecting(ascii_network("A---B---C", {.turn_arounds = true})) {}
+  TurningBack() : TimedCostsTest(ascii_network("A---B---C", {.turn_arounds = true})) {}
   /// s from AB to this road, when so many stand on BA.
   [[nodiscard]] double time_to(const char* to, std::size_t on_ba) {
     Driven driven(net, 40);
@@ -149,16 +150,12 @@ class TurningBack : public Expecting {
       places.push_back({.vehicle = i, .road = "BA", .metres = 290 - 7.5 * static_cast<double>(i)});
     }
     driven.look(places);
-    queues.run(driven.fleet, level, 0);
-    costs.refresh(expected(unchanged), 0);
+    refresh(driven, unchanged);
     for (const Arc& arc : graph.turns().out(vertex(net, graph, "AB"))) {
       if (arc.end == vertex(net, graph, to)) return to_seconds(costs.arrive(arc.id, 0));
     }
     return -1;
   }
-
-  RoadGraph graph{net, VehicleClass::passenger};
-  TimedCosts costs{net, graph};
 };
 
 TEST_F(TurningBack, IsALastResortWhereTheRoadIsHalfFull) {
@@ -179,17 +176,17 @@ constexpr const char* signalled = R"(<net>
   <connection from=":B_0" to="BC" fromLane="0" toLane="0" dir="s" state="M"/>
 </net>)";
 
-class AtASignal : public ::testing::Test {
+class AtASignal : public TimedCostsTest {
  protected:
-  AtASignal() {
+  AtASignal() : TimedCostsTest(parse_network(signalled)) {
     SignalProgramme programme = net.signals[SignalId{0U}].programmes.front();
     programme.cycle_start = 0;
     servers.set_programme(SignalId{0U}, programme);
   }
   /// When who enters AB at this time is on BC.
-  [[nodiscard]] double arrival(Millis entry) const { return to_seconds(costs.arrive(turn, entry)); }
+  [[nodiscard]] double arrival(Millis entry) const { return to_seconds(costs.arrive(turn("AB"), entry)); }
   /// So many stand at the end of AB, at most 18, and the others wait to get on it.
-  void refresh(std::size_t queue) {
+  void stand(std::size_t queue) {
     Driven driven(net, 40);
     std::vector<Driven::At> places;
     for (std::size_t i = 0; i < queue; ++i) {
@@ -197,31 +194,12 @@ class AtASignal : public ::testing::Test {
       if (i < 18) places.push_back({.vehicle = i, .road = "AB", .metres = 145});
     }
     driven.look(places);
-    queues.run(driven.fleet, level, 0);
-    costs.refresh({.forecast = queues.table(),
-                   .bookings = bookings,
-                   .servers = servers,
-                   .level = level,
-                   .residuals = residuals,
-                   .conditions = unchanged},
-                  0);
+    refresh(driven, unchanged);
   }
-
-  Network net = parse_network(signalled);
-  RoadGraph graph{net, VehicleClass::passenger};
-  ArcId turn = graph.turns().out(vertex(net, graph, "AB")).front().id;
-  Servers servers{net};
-  Level level{net};
-  Residuals residuals{net};
-  Discharge discharge{net, servers, crowd(40)};
-  QueueForecast queues{net, servers, discharge, {.repeated = 0}};
-  Bookings bookings{net, queues.table()};
-  Conditions unchanged{net};
-  TimedCosts costs{net, graph};
 };
 
 TEST_F(AtASignal, CostsKnowWhatItShows) {
-  refresh(0);
+  stand(0);
   const double in_mean = 15 + 30 * 30 / 120.0 + 1 + 2;  // to the line, the mean wait, the junction
   const double mean = 465 / 60.0;                       // of 30, 29 .. 1 and thirty times 0
   EXPECT_NEAR(arrival(0), in_mean + 15 - mean, 1) << "comes in the middle of the red";
@@ -231,19 +209,19 @@ TEST_F(AtASignal, CostsKnowWhatItShows) {
   double last = 0;
   for (Millis entry = 0; entry < 600'000; entry += 250) {
     EXPECT_GE(arrival(entry), last - 0.1) << entry << ": nobody passes";
-    EXPECT_GE(costs.arrive(turn, entry), entry + costs.least()[turn.value]);
+    EXPECT_GE(costs.arrive(turn("AB"), entry), entry + costs.least()[turn("AB").value]);
     last = arrival(entry);
   }
 }
 
 TEST_F(AtASignal, CostsAreThoseOfTheQueueWhereOneStands) {
-  refresh(40);
+  stand(40);
   const double early = arrival(0);
   for (const Millis start : {Millis{10'000}, Millis{40'000}}) {
     SignalProgramme programme = net.signals[SignalId{0U}].programmes.front();
     programme.cycle_start = start;
     servers.set_programme(SignalId{0U}, programme);
-    refresh(40);
+    stand(40);
     EXPECT_EQ(arrival(0), early) << "whatever is shown when it gets there";
   }
 }

@@ -22,7 +22,7 @@ class Travellers : public ::testing::Test {
 };
 
 TEST_F(Travellers, DecideFromTheFirstRoadWhoseNextTurnIsFree) {
-  const auto found = traveller({.route = way(net, "ABCDE"), .committed = 2, .driven = 0.5}, {}, graph);
+  const auto found = make_traveller({.route = way(net, "ABCDE"), .committed = 2, .driven = 0.5}, {}, graph);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->route, vertices("BCDE"));
   EXPECT_EQ(found->driven, 0) << "it is not on that road yet";
@@ -30,12 +30,12 @@ TEST_F(Travellers, DecideFromTheFirstRoadWhoseNextTurnIsFree) {
 }
 
 TEST_F(Travellers, WhoIsWhereItWantsToBeHasNothingToDecide) {
-  EXPECT_FALSE(traveller({.route = way(net, "ABC"), .committed = 2}, {}, graph));
+  EXPECT_FALSE(make_traveller({.route = way(net, "ABC"), .committed = 2}, {}, graph));
 }
 
 TEST_F(Travellers, HaveNoWayPointsBehindThem) {
   const Plan plan{.route = way(net, "ABCDE"), .committed = 2, .waypoints = way(net, "BCD")};
-  const auto found = traveller(plan, {}, graph);
+  const auto found = make_traveller(plan, {}, graph);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->waypoints, vertices("CDE"));
 }
