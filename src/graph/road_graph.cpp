@@ -31,6 +31,7 @@ bool usable(const Network& network, const Connection& c, VehicleClass vehicle_cl
 struct Turn {
   ArcEnds ends;
   RoadId via;
+  bool turns_back;
   auto operator<=>(const Turn&) const = default;
 };
 
@@ -54,7 +55,8 @@ RoadGraph::RoadGraph(const Network& network, VehicleClass vehicle_class)
     if (!vertices_[c.from].valid() || !vertices_[c.to].valid()) continue;
     if (!usable(network, c, vehicle_class)) continue;
     turns.push_back({.ends = {.tail = vertices_[c.from], .head = vertices_[c.to]},
-                     .via = c.via.valid() ? network.lanes[c.via].road : RoadId{}});
+                     .via = c.via.valid() ? network.lanes[c.via].road : RoadId{},
+                     .turns_back = is_turnaround(c)});
   }
   std::sort(turns.begin(), turns.end());
   turns.erase(std::unique(turns.begin(), turns.end()), turns.end());
@@ -66,6 +68,7 @@ RoadGraph::RoadGraph(const Network& network, VehicleClass vehicle_class)
   for (const Turn& turn : turns) {
     if (arcs.empty() || arcs.back() != turn.ends) ++turn_count_;
     arcs.push_back(turn.ends);
+    turns_back_.push_back(turn.turns_back);
     junction_first_.push_back(static_cast<std::uint32_t>(junction_roads_.size()));
     const std::size_t first = junction_roads_.size();
     for (RoadId road = turn.via; road.valid(); road = next[road]) {

@@ -30,6 +30,8 @@ class RoadGraph {
     return {junction_roads_.data() + junction_first_[turn.value],
             junction_roads_.data() + junction_first_[turn.value + 1]};
   }
+  /// Into the reverse of its own road.
+  [[nodiscard]] bool turns_back(ArcId turn) const { return turns_back_[turn.value]; }
   /// Pairs of roads that a turn joins (parallel arcs counted once).
   [[nodiscard]] std::size_t turn_count() const { return turn_count_; }
 
@@ -41,6 +43,7 @@ class RoadGraph {
   IdVector<VertexId, bool> permitted_;
   std::vector<std::uint32_t> junction_first_;
   std::vector<RoadId> junction_roads_;
+  std::vector<bool> turns_back_;
   std::size_t turn_count_ = 0;
 };
 

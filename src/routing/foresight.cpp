@@ -22,10 +22,10 @@ Foresight::Foresight(const TrafficState& first, const Memory* memory, const Fore
       hindsight_(first.demand.vehicles.size()),
       overrun_(first.demand.vehicles.size()) {
   if (memory == nullptr) return;
-  std::vector<QueueForecast::Departure> departures;
+  std::vector<Departures::Departure> departures;
   for (const RememberedTrip& trip : memory->trips)
     departures.push_back({.time = trip.depart, .route = trip.route});
-  forecast_.expect(std::move(departures));
+  forecast_.departures().know(std::move(departures));
 }
 
 bool Foresight::watch(const TrafficState& state) {
@@ -34,7 +34,7 @@ bool Foresight::watch(const TrafficState& state) {
   for (const RoadId road : state.conditions.roads())
     servers_.set_free_flow(road, state.conditions.crossing(road));
   discharge_.observe(state.fleet, state.now);
-  forecast_.observe(state.fleet, state.now);
+  forecast_.departures().observe(state.fleet, state.now);
   hindsight_.observe(state.fleet, state.now);
   overrun_.observe(state.fleet, state.now);
   last_roads_.observe(state.fleet, expected(), state.now);

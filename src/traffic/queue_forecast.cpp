@@ -19,6 +19,7 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       servers_(servers),
       discharge_(discharge),
       options_(options),
+      departures_(options.repeated),
       horizon_(to_seconds(options.bin) * static_cast<double>(options.bins)),
       calendar_(horizon_),
       queues_(network.lanes.size()),
@@ -27,16 +28,6 @@ QueueForecast::QueueForecast(const Network& network, const Servers& servers, con
       delayed_(network.roads.size()),
       lines_(network.lanes.size()),
       table_(network, options.bin, options.bins, options.tolls) {}
-
-void QueueForecast::observe(const Fleet& fleet, Millis now) {
-  for (const VehicleId vehicle : fleet.present()) {
-    const FleetVehicle& own = fleet[vehicle];
-    if (own.depart <= noted_until_ || own.depart > now || own.route.size() < 2) continue;
-    recent_.push_back({.time = own.depart, .route = own.route});
-  }
-  noted_until_ = now;
-  while (!recent_.empty() && recent_.front().time < now - 2 * options_.repeated) recent_.pop_front();
-}
 
 void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
   junction_pace_ = level.junction_pace();
@@ -65,7 +56,9 @@ void QueueForecast::run(const Fleet& fleet, const Level& level, Millis now) {
     const Room& room = rooms_[RoadId{i}];
     table_.note_taken(RoadId{i}, room.occupancy / std::max(1.0, room.storage));
   }
-  assume_departures(fleet, now);
+  departures_.foresee(
+      fleet, now, now + from_seconds(horizon_),
+      [&](const std::vector<RoadId>& route, Millis time) { add_departure(route, to_seconds(time - now)); });
   calendar_.run([this](const auto& ahead) { prefetch(ahead); },
                 [this](const Event& event) { handle(event); });
   let_in_after_horizon();
@@ -97,34 +90,6 @@ void QueueForecast::place(VehicleId id, const FleetVehicle& vehicle, Millis now)
   mover.preferred = preferred;
   mover.vehicle = id;
   add(mover, time, Kind::reaches_end);
-}
-
-void QueueForecast::assume_departures(const Fleet& fleet, Millis now) {
-  Millis known_until = now;  // SUMO has loaded everybody up to here
-  for (const VehicleId vehicle : fleet.present()) known_until = std::max(known_until, fleet[vehicle].depart);
-  if (expected_.empty()) {
-    if (options_.repeated > 0) repeat_departures(fleet, known_until, now);
-    return;
-  }
-  auto next = std::upper_bound(expected_.begin(), expected_.end(), known_until,
-                               [](Millis time, const Departure& departure) { return time < departure.time; });
-  for (; next != expected_.end() && to_seconds(next->time - now) <= horizon_; ++next)
-    add_departure(next->route, to_seconds(next->time - now));
-}
-
-void QueueForecast::repeat_departures(const Fleet& fleet, Millis known_until, Millis now) {
-  const auto repeat = [&](Millis departure, const std::vector<RoadId>& route) {
-    if (departure <= known_until - options_.repeated || departure > known_until) return;
-    for (Millis time = departure + options_.repeated; to_seconds(time - now) <= horizon_;
-         time += options_.repeated) {
-      if (time > known_until) add_departure(route, to_seconds(time - now));
-    }
-  };
-  for (const Departure& departure : recent_) repeat(departure.time, departure.route);
-  for (const VehicleId vehicle : fleet.present()) {  // those that are loaded and will depart count as well
-    const FleetVehicle& own = fleet[vehicle];
-    if (own.depart > now && own.route.size() >= 2) repeat(own.depart, own.route);
-  }
 }
 
 void QueueForecast::add_departure(const std::vector<RoadId>& route, double wanted, VehicleId vehicle) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <deque>
 #include <span>
 #include <vector>
 
+#include "traffic/departures.hpp"
 #include "traffic/discharge.hpp"
 #include "traffic/event_calendar.hpp"
 #include "traffic/fleet.hpp"
@@ -18,7 +18,7 @@ namespace thalweg {
 struct ForecastOptions {
   Millis bin = 20'000;
   std::size_t bins = 60;          ///< the horizon is bins * bin
-  Millis repeated = 600'000;      ///< departures of this past are repeated until the horizon; 0: none assumed
+  Millis repeated = 600'000;      ///< departures of this past are repeated (Departures); 0: none assumed
   double full = 0.9;              ///< nobody is inserted on a road that is so full
   double gap_travel = 1.5;        ///< s until a place that became free is where the next one waits
   double blocked_patience = 150;  ///< s after which it goes anyway: the forecast must not lock up
@@ -38,14 +38,8 @@ class QueueForecast {
   QueueForecast(const Network& network, const Servers& servers, const Discharge& discharge,
                 const ForecastOptions& options = {});
 
-  struct Departure {
-    Millis time;
-    std::vector<RoadId> route;
-  };
-  /// Who will depart, by time, as far as SUMO has not loaded them: known from elsewhere and not assumed.
-  void expect(std::vector<Departure> departures) { expected_ = std::move(departures); }
-  /// Notes who departs, for the assumed demand. At every look.
-  void observe(const Fleet& fleet, Millis now);
+  /// Whom SUMO will load.
+  [[nodiscard]] Departures& departures() { return departures_; }
   /// Looks ahead from the fleet's present state; roads take their free flow times the level's pace.
   void run(const Fleet& fleet, const Level& level, Millis now);
 
@@ -106,8 +100,6 @@ class QueueForecast {
   void place(VehicleId id, const FleetVehicle& vehicle, Millis now);
   /// `wanted`: s from now, the past for one that waits already.
   void add_departure(const std::vector<RoadId>& route, double wanted, VehicleId vehicle = {});
-  void assume_departures(const Fleet& fleet, Millis now);
-  void repeat_departures(const Fleet& fleet, Millis known_until, Millis now);
   void add(const Mover& mover, double time, Kind kind);
   /// Has the memory fetch what the next events will need: vehicles that are there at the same time are
   /// nowhere near each other in it. What is needed to find the one thing is fetched an event before the
@@ -145,12 +137,9 @@ class QueueForecast {
   const Servers& servers_;
   const Discharge& discharge_;
   ForecastOptions options_;
+  Departures departures_;
   double horizon_;
   double junction_pace_ = 1;
-
-  std::vector<Departure> expected_;
-  std::deque<Departure> recent_;
-  Millis noted_until_ = -1;
 
   std::vector<Mover> movers_;
   EventCalendar<Event> calendar_;

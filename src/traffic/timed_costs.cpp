@@ -11,18 +11,6 @@ TimedCosts::TimedCosts(const Network& network, const RoadGraph& graph)
       road_times_(free_flow_times(network, graph.vehicle_class(), default_max_speed(graph.vehicle_class()),
                                   {.minor = 0, .turnaround = 0, .signal = 0})) {
   turn_costs(graph, road_times_, free_flow_);
-  find_turns_back(network);
-}
-
-void TimedCosts::find_turns_back(const Network& network) {
-  turns_back_.assign(graph_.turns().arc_count(), false);
-  for (const Connection& connection : network.connections) {
-    const VertexId tail = graph_.vertex(connection.from);
-    if (!is_turnaround(connection) || !tail.valid()) continue;
-    for (const Arc& arc : graph_.turns().out(tail)) {
-      if (arc.end == graph_.vertex(connection.to)) turns_back_[arc.id.value] = true;
-    }
-  }
 }
 
 void TimedCosts::refresh(const Expectation& expected, Millis now) {
@@ -135,7 +123,7 @@ void TimedCosts::refresh_vertex(const Expectation& expected, VertexId v) {
       passing += residuals.passing(internal);
       lasting += expected.level.extra(expected.servers, internal) + residuals.lasting(internal);
     }
-    if (turns_back_[arc.id.value] && expected.forecast.taken(graph_.road(arc.end)) >= crowded)
+    if (graph_.turns_back(arc.id) && expected.forecast.taken(graph_.road(arc.end)) >= crowded)
       lasting += turned_back;
     refresh_turn(arc.id, lasting, passing);
   }

@@ -76,7 +76,6 @@ class TimedCosts {
   }
 
  private:
-  void find_turns_back(const Network& network);
   void take_signals(const Expectation& expected);
   /// When one that entered the road at `entry` has made the turn, who would have at `out` in the mean of a
   /// cycle.
@@ -106,7 +105,6 @@ class TimedCosts {
   std::vector<double> late_;           ///< share of the late ones that counts yet, by bin
   std::vector<double> slower_;         ///< s above free flow, by road
   std::vector<bool> is_closed_;        ///< by turn
-  std::vector<bool> turns_back_;       ///< by turn: into the reverse of its road
   const QueueTable* forecast_ = nullptr;
   const SignalWaits* signal_waits_ = nullptr;
   std::vector<MovementId> movements_;  ///< by turn

@@ -147,8 +147,8 @@ TEST_F(Queues, DeparturesAreAssumedToGoOn) {
   QueueForecast knowing(net, servers, discharge, nobody_assumed);
   for (std::size_t i = 0; i < 300; ++i) {
     driven.load(i, "ABCD", static_cast<Millis>(i) * 2000);
-    assuming.observe(driven.fleet, static_cast<Millis>(i) * 2000);
-    knowing.observe(driven.fleet, static_cast<Millis>(i) * 2000);
+    assuming.departures().observe(driven.fleet, static_cast<Millis>(i) * 2000);
+    knowing.departures().observe(driven.fleet, static_cast<Millis>(i) * 2000);
     driven.fleet.on_departed(VehicleId{i});
     driven.fleet.on_arrived(VehicleId{i});
   }
@@ -161,20 +161,6 @@ TEST_F(Queues, DeparturesAreAssumedToGoOn) {
     EXPECT_EQ(knowing.table().wait(road(net, "BC"), bin), 0);
   }
   EXPECT_GT(assumed, 0);
-}
-
-// Half of them have departed by now, the others are loaded and will: from 600 s on both are assumed again,
-// and not only the first half.
-TEST_F(Queues, WhoIsLoadedCountsForWhatIsAssumed) {
-  Driven driven(net, 300);
-  const Discharge discharge(net, servers, driven.demand);
-  QueueForecast forecast(net, servers, discharge, {});
-  for (std::size_t i = 0; i < 300; ++i) driven.load(i, "ABCD", static_cast<Millis>(i) * 2000);
-  forecast.observe(driven.fleet, 300'000);
-  forecast.run(driven.fleet, Level(net), 300'000);
-  float assumed = 0;  // of those who depart from 900 s on, the second half again
-  for (std::size_t bin = 32; bin < 46; ++bin) assumed += forecast.table().arrivals(road(net, "AB"), bin);
-  EXPECT_NEAR(assumed, 140, 5);
 }
 
 // Three want to depart from AB at once, one in 2 s; the fourth in 100 s; the fifth is not loaded.

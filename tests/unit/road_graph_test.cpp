@@ -138,6 +138,19 @@ TEST(RoadGraph, AChainThatIsALoopEnds) {
   EXPECT_EQ(graph.junction_roads(ArcId{0U}).size(), 2U);
 }
 
+//     A=B-C      BC leads back to AB
+TEST(RoadGraph, SaysWhatTurnsBack) {
+  const Network net = parse_network(
+      two_lane_net("", lane_connection(0, "via=\":B_0_0\" dir=\"s\"") +
+                           "<connection from=\"BC\" to=\"AB\" fromLane=\"0\" toLane=\"0\" dir=\"t\"/>"));
+  const RoadGraph graph(net, VehicleClass::passenger);
+  const auto turns_back = [&](const char* from) {
+    return graph.turns_back(graph.turns().out(vertex(net, graph, from)).front().id);
+  };
+  EXPECT_FALSE(turns_back("AB"));
+  EXPECT_TRUE(turns_back("BC"));
+}
+
 //     A--B-C      200 m and 100 m at 10 m/s, 20 m on the junction
 TEST(RoadGraph, ATurnCostsTheRoadThatIsLeftAndTheJunction) {
   const Network net = ascii_network("A--B-C", {.junction_metres = 20});
