@@ -32,7 +32,7 @@ TEST_F(ForesightTest, SaysWhenAVehicleLeavesTheRoadItIsOn) {
   EXPECT_FALSE(foresight->leaving(VehicleId{2U})) << "it is not there";
 }
 
-// The forecast is made every 15 s. Who has left the road earlier than foretold is not on it any more; who is
+// The forecast is made every 20 s. Who has left the road earlier than foretold is not on it any more; who is
 // still there though it should have left leaves now.
 TEST_F(ForesightTest, SaysNothingOfARoadThatIsBehind) {
   for (std::size_t i = 0; i < 2; ++i) traffic.driven.load(i, "ABCD");
