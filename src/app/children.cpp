@@ -66,6 +66,7 @@ RunSummary run_child(const ChildRun& run) {
   bp::child child(bp::exe = fs::read_symlink("/proc/self/exe").string(), bp::args = run.arguments,
                   bp::std_in<bp::null, (bp::std_out & bp::std_err)> log.string(), ends_after_us(SIGTERM));
   register_child(child.id());
+  if (stop_requested) ::kill(child.id(), SIGTERM);  // it came before there was somebody to pass it on to
   child.wait();
   forget_child(child.id());
   if (fs::exists(result, ignored)) return read_run(result);

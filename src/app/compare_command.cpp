@@ -102,7 +102,7 @@ int compare_command(std::span<const std::string> arguments) {
     static_cast<void>(control_options(options));
     static_cast<void>(strategy_options(options));
   });
-  warn_of_settings(project.settings, arms);
+  warn_of_arms(project, arms);
   for (const ArmSpec& arm : arms) comparison.arms.push_back({.name = arm.name});
   comparison.thalweg = THALWEG_VERSION;
   comparison.sumo = sumo_library_version();

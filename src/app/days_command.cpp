@@ -28,6 +28,10 @@ Options days_options() {
           std::move(specs)};
 }
 
+std::uint64_t seed_of_day(const Options& options, std::size_t day) {
+  return options.count("seed") + (options.flag("same-seed") ? 0 : day - 1);
+}
+
 /// The run of one day (from 1 on), in a folder of its own. What it learns is in its folder `memory`.
 ChildRun run_of_day(const Options& options, const Project& project, const std::string& strategy,
                     std::size_t day) {
@@ -40,17 +44,20 @@ ChildRun run_of_day(const Options& options, const Project& project, const std::s
       more.push_back((folder(day - 1) / "memory").string());
     }
   }
-  const std::uint64_t seed = options.count("seed") + (options.flag("same-seed") ? 0 : day - 1);
-  return child_run(options, project, strategy, seed, folder(day), more);
+  return child_run(options, project, strategy, seed_of_day(options, day), folder(day), more);
 }
 
 /// The days that an earlier call has left in the folder: it goes on from there. One that failed is done
 /// again.
-std::vector<RunSummary> days_before(const fs::path& file, const std::vector<std::string>& run) {
+std::vector<RunSummary> days_before(const Options& options, const fs::path& file,
+                                    const std::vector<std::string>& run) {
   if (!fs::exists(file)) return {};
   Days before = read_days(file);
-  verify(before.run == run, fmt::format("'{}' holds days of another call ({}): name another --output-folder",
-                                        file.string(), before.command));
+  bool is_same = before.run == run;
+  for (std::size_t i = 0; i < before.days.size(); ++i)
+    is_same = is_same && before.days[i].seed == seed_of_day(options, i + 1);
+  verify(is_same, fmt::format("'{}' holds days of another call ({}): name another --output-folder",
+                              file.string(), before.command));
   while (!before.days.empty() && before.days.back().failed()) before.days.pop_back();
   return before.days;
 }
@@ -62,34 +69,35 @@ int days_command(std::span<const std::string> arguments) {
   if (!start(options, arguments, OwnConfiguration::no)) return 0;
   catch_interrupts();
   std::uint64_t count = 0;
-  std::string strategy;
+  ArmSpec arm;
   const Project project = load_project(options, [&](const SumoOptions& catalogue) {
     count = options.count("days");
     verify(count >= 1 && count <= 999, "--days must be from 1 to 999");
-    strategy = parse_arm(options.text("strategy"), catalogue).name;
+    arm = parse_arm(options.text("strategy"), catalogue);
     static_cast<void>(options.count("seed"));
     static_cast<void>(control_options(options));
     static_cast<void>(strategy_options(options));
   });
+  warn_of_arms(project, {&arm, 1});
   const fs::path file = project.output / "days.json";
   Days days{.thalweg = THALWEG_VERSION,
             .sumo = sumo_library_version(),
             .configuration = project.name,
             .command = command_line("days", arguments),
-            .run = run_of_day(options, project, strategy, 1).arguments};
-  days.days = days_before(file, days.run);
+            .run = run_of_day(options, project, arm.name, 1).arguments};
+  days.days = days_before(options, file, days.run);
   if (!days.days.empty())
     warn(fmt::format("{} day(s) are there already: it goes on after them", days.days.size()));
   ProgressLine progress;
   while (days.days.size() < count && !stop_requested) {
     progress.show(fmt::format("day {} of {}", days.days.size() + 1, count));
-    days.days.push_back(run_child(run_of_day(options, project, strategy, days.days.size() + 1)));
+    days.days.push_back(run_child(run_of_day(options, project, arm.name, days.days.size() + 1)));
     write_json(days, file);
     if (days.days.back().failed()) break;  // the next would learn from it
   }
   fmt::print("{}", format_table(days));
   if (stop_requested) warn("interrupted: the same call goes on after the last day that was finished");
-  return days.days.size() == count && !days.days.back().failed() ? 0 : 1;
+  return days.days.size() >= count && !days.days.back().failed() ? 0 : 1;
 }
 
 }  // namespace thalweg

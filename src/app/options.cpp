@@ -193,30 +193,35 @@ Millis Options::time(std::string_view name) const { return *parse_time(text(name
 std::string Options::help() const {
   std::string out =
       fmt::format("thalweg {}: {}\n\nUsage: thalweg {} [options]\n", command_, summary_, command_);
-  std::string section;
-  for (const OptionSpec& spec : specs_) {
-    if (spec.section != section) out += fmt::format("\n{}:\n", spec.section);
-    section = spec.section;
-    const std::string name = spec.short_name == 0 ? fmt::format("      --{}", spec.name)
-                                                  : fmt::format("  -{}, --{}", spec.short_name, spec.name);
-    out += fmt::format("{:<36} {}", spec.type == "BOOL" ? name : fmt::format("{} {}", name, spec.type),
-                       spec.help);
-    if (!spec.default_value.empty() && spec.type != "BOOL") out += fmt::format(" [{}]", spec.default_value);
-    out += '\n';
+  for (const auto& section : sections()) {
+    out += fmt::format("\n{}:\n", section);
+    for (const OptionSpec& spec : specs_) {
+      if (spec.section != section) continue;
+      const std::string name = spec.short_name == 0 ? fmt::format("      --{}", spec.name)
+                                                    : fmt::format("  -{}, --{}", spec.short_name, spec.name);
+      out += fmt::format("{:<36} {}", spec.type == "BOOL" ? name : fmt::format("{} {}", name, spec.type),
+                         spec.help);
+      if (!spec.default_value.empty() && spec.type != "BOOL") out += fmt::format(" [{}]", spec.default_value);
+      out += '\n';
+    }
   }
   return out;
+}
+
+std::vector<std::string> Options::sections() const {
+  std::vector<std::string> sections;
+  for (const OptionSpec& spec : specs_) {
+    if (std::find(sections.begin(), sections.end(), spec.section) == sections.end())
+      sections.push_back(spec.section);
+  }
+  return sections;
 }
 
 std::string Options::to_xml(bool values) const {
   std::string out =
       fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\n<!-- thalweg {} {} -->\n\n<configuration>\n",
                   command_, THALWEG_VERSION);
-  std::vector<std::string> sections;
-  for (const OptionSpec& spec : specs_) {
-    if (std::find(sections.begin(), sections.end(), spec.section) == sections.end())
-      sections.push_back(spec.section);
-  }
-  for (const auto& section : sections) {
+  for (const auto& section : sections()) {
     std::string body;
     for (const OptionSpec& spec : specs_) {
       const bool is_meta = spec.name == "help" || spec.name == "version" || spec.name.starts_with("save-");
@@ -254,12 +259,18 @@ bool Options::answered() const {
     std::fwrite(screen.data(), 1, screen.size(), stdout);
     return true;
   }
-  for (const char* name : {"save-template", "save-configuration"}) {
-    if (text(name).empty()) continue;
-    write_text(text(name), to_xml(std::string_view(name) == "save-configuration"));
+  if (!text("save-template").empty()) {
+    write_text(text("save-template"), to_xml(false));
     return true;
   }
-  return false;
+  if (text("save-configuration").empty()) return false;
+  Options saved = *this;  // which may be read from anywhere
+  for (const OptionSpec& spec : specs_) {
+    if (spec.type != "FILE" || !is_set(spec.name)) continue;
+    saved.values_[spec.name].text = resolve_files(text(spec.name), std::filesystem::current_path());
+  }
+  write_text(text("save-configuration"), saved.to_xml(true));
+  return true;
 }
 
 }  // namespace thalweg

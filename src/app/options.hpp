@@ -64,6 +64,8 @@ class Options {
     bool from_command_line = false;
   };
   [[nodiscard]] const OptionSpec* find(std::string_view name) const;
+  /// In the order of their first options.
+  [[nodiscard]] std::vector<std::string> sections() const;
   void set(const OptionSpec& spec, std::string value, bool from_command_line);
 
   std::string command_;

@@ -35,11 +35,20 @@ constexpr std::array<std::string_view, 9> shared_with_sumo{"net-file",
                                                            "weights.turnaround-penalty",
                                                            "weights.tls-penalty"};
 
-void read_user_configuration(Options& options, Project& project) {
-  const fs::path file(options.text("configuration-file"));
+/// One that --save-configuration wrote names the user's: what it says itself counts more.
+void read_user_configuration(Options& options, Project& project, const fs::path& file) {
   std::vector<std::string> names = project.catalogue.names();
   for (const auto& spec : options.specs()) names.push_back(spec.name);
-  for (const Setting& setting : read_configuration(file)) {
+  const std::vector<Setting> settings = read_configuration(file);
+  const auto named = std::ranges::find(settings, "configuration-file", &Setting::name);
+  if (named != settings.end() && !named->value.empty()) {
+    const fs::path inner = resolve_files(named->value, fs::absolute(file).parent_path());
+    verify(fs::exists(inner) && !fs::equivalent(inner, file),
+           fmt::format("{}: the configuration '{}' does not exist, or is the same", file.string(),
+                       inner.string()));
+    read_user_configuration(options, project, inner);
+  }
+  for (const Setting& setting : settings) {
     const auto* option = project.catalogue.find(setting.name);
     const std::string name = option == nullptr ? setting.name : option->first;
     const bool ours = options.take({.name = name, .value = setting.value});
@@ -69,11 +78,14 @@ void apply_command_line(const Options& options, Project& project) {
 /// of the files are made before, and those that are read afterwards must be known.
 void fill_in_time(Settings& settings) {
   const std::time_t now = std::time(nullptr);
-  std::tm local{};
-  localtime_r(&now, &local);
-  const std::string time = fmt::format("{:%Y-%m-%d-%H-%M-%S}", local);
-  const std::array<std::pair<std::string_view, std::string>, 4> values{
-      {{"${LOCALTIME}", time}, {"${UTC}", time}, {"${PID}", std::to_string(getpid())}, {"TIME", time}}};
+  const auto words = [&](std::tm* (*of)(const std::time_t*, std::tm*)) {
+    std::tm time{};
+    return fmt::format("{:%Y-%m-%d-%H-%M-%S}", *of(&now, &time));
+  };
+  const std::array<std::pair<std::string_view, std::string>, 4> values{{{"${LOCALTIME}", words(localtime_r)},
+                                                                        {"${UTC}", words(gmtime_r)},
+                                                                        {"${PID}", std::to_string(getpid())},
+                                                                        {"TIME", words(localtime_r)}}};
   for (const char* option : {"output-prefix", "output-suffix"}) {
     std::string text = settings.find(option).value_or("");
     for (const auto& [name, value] : values) boost::algorithm::replace_all(text, name, value);
@@ -83,7 +95,8 @@ void fill_in_time(Settings& settings) {
 
 /// What follows "--" goes to SUMO as it is, so it may not contradict what the run stands on.
 void check_for_sumo(const Options& options, const SumoOptions& catalogue) {
-  static constexpr std::array<std::string_view, 12> owned{"configuration-file",
+  static constexpr std::array<std::string_view, 15> owned{"configuration-file",
+                                                          "net-file",
                                                           "route-files",
                                                           "additional-files",
                                                           "begin",
@@ -91,6 +104,8 @@ void check_for_sumo(const Options& options, const SumoOptions& catalogue) {
                                                           "seed",
                                                           "random",
                                                           "tripinfo-output",
+                                                          "tripinfo-output.write-unfinished",
+                                                          "tripinfo-output.write-undeparted",
                                                           "statistic-output",
                                                           "load-state",
                                                           "output-prefix",
@@ -159,6 +174,26 @@ std::string told(std::string_view left_out, const std::vector<DroppedVehicle>& d
 
 }  // namespace
 
+std::vector<LaneChange> lane_changes(const Project& project) {
+  return read_lane_changes(file_list(project.settings.find("additional-files").value_or("")),
+                           project.network);
+}
+
+namespace {
+
+/// What a comparison with SUMO's device must know: for it the road is open.
+void tell_open_closings(const Project& project) {
+  const auto changes = lane_changes(project);
+  const auto open = std::ranges::find_if(changes, [](const LaneChange& change) { return !change.enforced; });
+  if (open == changes.end()) return;
+  warn(fmt::format(
+      "the closingReroute of '{}' names no classes: SUMO's device.rerouting goes on sending vehicles "
+      "through (our routers do not); write disallow=\"all\" to close it for everybody",
+      project.network.roads[project.network.lanes[open->lane].road].id));
+}
+
+}  // namespace
+
 std::vector<OptionSpec> project_options() {
   std::vector<OptionSpec> specs{
       {"input", "configuration-file", 'c', "FILE", "", "Your .sumocfg, unchanged"},
@@ -178,10 +213,13 @@ std::vector<OptionSpec> project_options() {
   return specs;
 }
 
-void warn_of_settings(const Settings& settings, std::span<const ArmSpec> arms) {
+void warn_of_arms(const Project& project, std::span<const ArmSpec> arms) {
+  if (std::ranges::any_of(arms, [](const ArmSpec& arm) { return arm.has_device(); }))
+    tell_open_closings(project);
+  const Settings& settings = project.settings;
   constexpr std::string_view output = "device.rerouting.output";
   const auto no_arm_takes = [&](std::string_view name) {
-    return std::ranges::all_of(arms, [&](const ArmSpec& arm) { return is_of_other_device(name, arm); });
+    return std::ranges::all_of(arms, [&](const ArmSpec& arm) { return is_overruled(name, arm); });
   };
   if (settings.find(output) && no_arm_takes(output))
     warn("device.rerouting.output is not written: only SUMO's own device has it (device, one-shot)");
@@ -211,7 +249,7 @@ Project load_project(Options& options, const std::function<void(const SumoOption
          fmt::format("the configuration '{}' does not exist", configuration.string()));
   project.catalogue = SumoOptions::ask(project.sumo.sumo);
   check_for_sumo(options, project.catalogue);
-  if (!configuration.empty()) read_user_configuration(options, project);
+  if (!configuration.empty()) read_user_configuration(options, project, configuration);
   apply_command_line(options, project);
   fill_in_time(project.settings);
   check(project.catalogue);
@@ -231,14 +269,14 @@ Project load_project(Options& options, const std::function<void(const SumoOption
   const Stage stage(prepared ? "Reading the prepared demand" : "Preparing the demand");
   project.demand = prepared ? read_prepared_demand(project.settings, project.network, project.demand_files)
                             : prepare(options, project);
-  if (project.demand.vehicles.empty() && !prepared)
+  if (project.demand.vehicles.empty())
     warn("the demand has no vehicles: there is nobody for Thalweg to re-route");
   const auto& lost = project.demand.lost_persons;
-  if (!lost.empty() && !prepared) {
+  if (!lost.empty()) {
     warn(told("person(s) or container(s) cannot be routed and are left out", lost, project.demand_files));
   }
   const auto& dropped = project.demand.dropped;
-  if (!dropped.empty() && !prepared) {
+  if (!dropped.empty()) {
     const std::string text = told("vehicle(s) or flow(s) cannot be routed and are left out of every arm",
                                   dropped, project.demand_files);
     verify(!options.flag("strict"), text);

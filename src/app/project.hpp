@@ -8,6 +8,7 @@
 
 #include "app/options.hpp"
 #include "demand/prepare.hpp"
+#include "network/lane_changes.hpp"
 #include "simulation/arm.hpp"
 #include "sumo/installation.hpp"
 #include "sumo/options.hpp"
@@ -33,8 +34,12 @@ std::vector<OptionSpec> project_options();
 /// `check` looks at the command's own options once the configuration is read, before the work begins.
 Project load_project(Options& options, const std::function<void(const SumoOptions&)>& check);
 
+/// What the additional files do to lanes on the way.
+std::vector<LaneChange> lane_changes(const Project& project);
+
 /// Tells which of the user's outputs come under another name than his, or not at all because no arm writes
-/// them (device.rerouting.output), and that the settings of SUMO's device are those of the arms.
-void warn_of_settings(const Settings& settings, std::span<const ArmSpec> arms);
+/// them (device.rerouting.output), that the settings of SUMO's device are those of the arms, and which closed
+/// road is open to an arm with that device.
+void warn_of_arms(const Project& project, std::span<const ArmSpec> arms);
 
 }  // namespace thalweg

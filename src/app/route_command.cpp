@@ -102,9 +102,11 @@ class DemandRoute {
         if (is_type(node)) types_.add(node);
         definitions_.push_back(std::move(node));
       } else if (node.name == "flow") {
-        for (xml::Node& one : expand_flow(node, seed_)) take(std::move(one));
+        guarded([&] {
+          for (xml::Node& one : expand_flow(node, seed_)) take(std::move(one));
+        });
       } else if (node.name == "trip" || node.name == "vehicle") {
-        take(std::move(node));
+        guarded([&] { take(std::move(node)); });
       } else if (is_walking(node.name) && !needs_routing(node)) {
         vehicles_.push_back({.node = std::move(node), .depart = 0, .trip = std::nullopt});
         vehicles_.back().depart = depart_of(vehicles_.back().node);
@@ -162,9 +164,19 @@ class DemandRoute {
   }
 
   void give_up(const xml::Node& node, const std::string& problem) {
-    if (!ignore_errors_) throw node.error(problem);
-    warn(node.error(problem).what());
-    ++left_out_;
+    guarded([&] { throw node.error(problem); });
+  }
+
+  /// What is wrong with one of them ends it all, or is told and leaves that one out (--ignore-errors).
+  template <class Work>
+  void guarded(Work work) {
+    try {
+      work();
+    } catch (const InputError& error) {
+      if (!ignore_errors_) throw;
+      warn(error.what());
+      ++left_out_;
+    }
   }
 
   void take(xml::Node node) {

@@ -19,11 +19,11 @@ std::vector<OptionSpec> routing_options() {
   const ChoiceRule& rule = strategy.rule;
   std::vector<OptionSpec> specs{
       {"routing", "period", 0, "STR", seconds(control.period),
-       "Every vehicle reconsiders once a period, with foresight also before a signal that it knows; 'step': "
-       "at each step"},
+       "Every vehicle is asked once a period; those that look ahead also before signals that they know. "
+       "'step': at each step"},
       {"routing", "window", 0, "TIME", seconds(control.window), "Travel times are averaged over this time"},
       {"routing", "adaptation-interval", 0, "TIME", seconds(control.adaptation_interval),
-       "The travel times that vehicles decide by are updated so often"},
+       "The measured travel times that vehicles decide by are updated so often"},
       {"routing", "share", 0, "FLOAT", fmt::format("{}", control.share),
        "Share of the vehicles that is ours, by a hash of their ids"},
       {"routing", "compliance", 0, "FLOAT", fmt::format("{}", control.compliance),
@@ -32,15 +32,13 @@ std::vector<OptionSpec> routing_options() {
        "A vehicle changes when it gains more than this share of the time left"},
       {"routing", "gain.spread", 0, "FLOAT", fmt::format("{}", rule.spread),
        "and up to this share on top, different for each vehicle"},
-      {"routing", "gain.absolute", 0, "TIME", seconds(rule.absolute), "and more than this time"},
+      {"routing", "gain.absolute", 0, "TIME", seconds(rule.absolute), "plus this time"},
       {"routing", "toll", 0, "FLOAT", fmt::format("{}", strategy.toll),
-       "forecast, memory: share of the delay that it costs the others that a vehicle counts as its own"},
+       "forecast, memory: share of the delay it causes the others that a vehicle counts as its own"},
       {"routing", "no-signal-phases", 0, "BOOL", "false",
-       "forecast, booking, marginal, memory: signals by their mean waits, not by what they show at which "
-       "time"},
+       "forecast, booking, marginal, memory: count on mean waits at signals, not on what they will show"},
       {"routing", "no-assumed-departures", 0, "BOOL", "false",
-       "forecast, booking, marginal, memory: nobody sets out but those that SUMO has loaded; else the last "
-       "ten minutes' departures are assumed again"},
+       "forecast, booking, marginal, memory: do not assume that the last ten minutes' departures come again"},
       {"routing", "stall", 0, "TIME", seconds(control.stall),
        "A run without an end stops when nothing has arrived for so long"},
       threads_option(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
 
@@ -12,7 +13,6 @@
 #include "app/sumo_words.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
-#include "network/lane_changes.hpp"
 #include "report/comparison.hpp"
 #include "report/decisions.hpp"
 #include "report/gap.hpp"
@@ -80,30 +80,22 @@ void tell_end(const RunResult& result, Millis stall) {
     warn(fmt::format("SUMO refused {} route(s); those vehicles kept theirs", result.refused));
 }
 
-/// What a comparison with SUMO's device must know: for it the road is open.
-void tell_open_closings(const Network& network, const std::vector<LaneChange>& changes) {
-  const auto open =
-      std::find_if(changes.begin(), changes.end(), [](const LaneChange& c) { return !c.enforced; });
-  if (open == changes.end()) return;
-  warn(fmt::format(
-      "the closingReroute of '{}' names no classes: SUMO's device.rerouting goes on sending vehicles "
-      "through (our routers do not); write disallow=\"all\" to close it for everybody",
-      network.roads[network.lanes[open->lane].road].id));
-}
-
 /// Runs the arm in its folder and fills the summary. What goes wrong is thrown.
 RunResult simulate(const Options& options, const Project& project, const ArmSpec& arm,
                    const RunFolder& folder, RunSummary& summary) {
   ControlOptions control_with = control_options(options);
-  control_with.lane_changes =
-      read_lane_changes(file_list(project.settings.find("additional-files").value_or("")), project.network);
-  if (arm.has_device()) tell_open_closings(project.network, control_with.lane_changes);
+  control_with.lane_changes = lane_changes(project);
   control_with.seed = summary.seed;
   const std::string& decision_output = options.text("decision-output");
   std::optional<DecisionOutput> decisions;  // opened before the work, so that a bad name costs no run
   if (!decision_output.empty()) {
     decisions.emplace(project.output / decision_output, options.header());
     control_with.log_decisions = true;
+  }
+  if (const std::string& lessons = options.text("memory-output"); !lessons.empty()) {
+    std::error_code error;  // told before the work, as that of the decisions
+    std::filesystem::create_directories(lessons, error);
+    verify(!error, fmt::format("cannot write to the folder '{}': {}", lessons, error.message()));
   }
   Memory memory;
   if (!options.text("memory-input").empty())
@@ -137,7 +129,8 @@ RunResult simulate(const Options& options, const Project& project, const ArmSpec
   summary.router_cpu_s = arm.ours ? result.router_cpu_s : 0;
   summary.simulation_cpu_s = result.simulation_cpu_s;
   if (decisions) decisions->write(project.network, project.demand, result);
-  if (!options.text("memory-output").empty()) {
+  const bool is_whole_day = result.reason != StopReason::interrupted;
+  if (is_whole_day && !options.text("memory-output").empty()) {
     strategy->remember(memory);
     write_memory(options.text("memory-output"), project.network, memory, options.header());
   }
@@ -179,11 +172,13 @@ Options run_options() {
   auto specs = project_options();
   std::string ours;
   for (const auto& entry : strategies()) ours += fmt::format("{}{}", ours.empty() ? "" : ", ", entry.name);
-  specs.push_back({"routing", "strategy", 0, "STR", "forecast",
-                   ours + "; or SUMO's own: given, static, one-shot, device[:setting=value,..]"});
+  const auto is_routing = [](const OptionSpec& spec) { return spec.section == "routing"; };
+  specs.insert(std::find_if(specs.begin(), specs.end(), is_routing),
+               {"routing", "strategy", 0, "STR", "forecast",
+                ours + "; or SUMO's own: given, static, one-shot, device[:setting=value,..]"});
   specs.push_back({"random", "seed", 0, "INT", "23423", "SUMO's seed"});
   specs.push_back(
-      {"output", "decision-output", 0, "FILE", "", "Every routing decision, in the output folder"});
+      {"output", "decision-output", 0, "STR", "", "Every routing decision (XML), in the output folder"});
   specs.push_back(
       {"input", "memory-input", 0, "FILE", "", "The folder of what the days before have taught (memory)"});
   specs.push_back(
@@ -205,7 +200,7 @@ int run_command(std::span<const std::string> arguments) {
     verify(!has_memory || arm.name == "memory",
            "--memory-input and --memory-output go with --strategy memory: no other router has one");
   });
-  if (options.text("prepared").empty()) warn_of_settings(project.settings, {&arm, 1});
+  warn_of_arms(project, {&arm, 1});
   const RunFolder folder =
       make_run_folder(project.output, project.settings, project.catalogue, project.demand_files, arm,
                       options.count("seed"), options.header());
@@ -222,7 +217,7 @@ int run_command(std::span<const std::string> arguments) {
       summary.exit = 1;
       summary.error = was_interrupted;
     }
-  } catch (const InputError& error) {
+  } catch (const std::exception& error) {  // whatever it is, what was found out is not lost
     words.end(folder.errors.string());
     if (read_text(folder.errors).empty()) keep(words.all(), folder.errors);
     summary.exit = 1;
@@ -231,7 +226,7 @@ int run_command(std::span<const std::string> arguments) {
     throw InputError(summary.error);
   }
   write_json(summary, folder.folder / "run.json");
-  if (options.text("prepared").empty()) print_table(project, summary);
+  print_table(project, summary);
   if (summary.error == was_interrupted) {
     warn(fmt::format("interrupted at {:.2f} s: the outputs and figures are those of the run up to there",
                      summary.end_s));

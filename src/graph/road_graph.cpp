@@ -5,6 +5,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "network/right_of_way.hpp"
+
 namespace thalweg {
 namespace {
 
@@ -34,8 +36,6 @@ struct Turn {
   bool turns_back;
   auto operator<=>(const Turn&) const = default;
 };
-
-bool gives_way(char state) { return state == 'm' || state == '=' || state == 's' || state == 'w'; }
 
 }  // namespace
 

@@ -176,15 +176,14 @@ std::optional<Difference> difference_of(const Arm& arm, const Arm& baseline) {
   return difference;
 }
 
-void write_text(const Json& json, const std::filesystem::path& file) {
+}  // namespace
+
+void write_json(const Json& json, const std::filesystem::path& file) {
   OutputFile output(file);
-  // SUMO's words may hold anything: what is no UTF-8 is replaced.
   output.write(json.dump(2, ' ', false, Json::error_handler_t::replace));
   output.write("\n");
   output.commit();
 }
-
-}  // namespace
 
 Estimate commute(const Arm& arm) {
   return estimate_over_runs(arm, [](const RunSummary& run) { return run.all.commute_mean; });
@@ -232,7 +231,7 @@ nlohmann::ordered_json to_json(const Comparison& comparison) {
 }
 
 void write_json(const Comparison& comparison, const std::filesystem::path& file) {
-  write_text(to_json(comparison), file);
+  write_json(to_json(comparison), file);
 }
 
 nlohmann::ordered_json to_json(const RunSummary& run) {
@@ -273,7 +272,7 @@ RunSummary run_from_json(const nlohmann::ordered_json& json) {
   }
 }
 
-void write_json(const RunSummary& run, const std::filesystem::path& file) { write_text(to_json(run), file); }
+void write_json(const RunSummary& run, const std::filesystem::path& file) { write_json(to_json(run), file); }
 
 RunSummary read_run(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -72,6 +72,8 @@ void write_json(const Comparison& comparison, const std::filesystem::path& file)
 nlohmann::ordered_json to_json(const RunSummary& run);
 RunSummary run_from_json(const nlohmann::ordered_json& json);  ///< InputError: not such an object
 void write_json(const RunSummary& run, const std::filesystem::path& file);
+/// What is no UTF-8 in it (SUMO's words may hold anything) is replaced.
+void write_json(const nlohmann::ordered_json& json, const std::filesystem::path& file);
 RunSummary read_run(const std::filesystem::path& file);  ///< InputError: missing or no run.json
 
 }  // namespace thalweg

@@ -3,19 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <fstream>
 
 #include "core/error.hpp"
 #include "report/comparison.hpp"
-#include "xml/writer.hpp"
+#include "report/text_table.hpp"
 
 namespace thalweg {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string decimals(double value) { return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-"; }
 
 }  // namespace
 
@@ -28,10 +25,7 @@ void write_json(const Days& days, const std::filesystem::path& file) {
   }
   const Json json{{"thalweg", days.thalweg}, {"sumo", days.sumo}, {"configuration", days.configuration},
                   {"command", days.command}, {"run", days.run},   {"days", std::move(entries)}};
-  OutputFile output(file);
-  output.write(json.dump(2, ' ', false, Json::error_handler_t::replace));
-  output.write("\n");
-  output.commit();
+  write_json(json, file);
 }
 
 Days read_days(const std::filesystem::path& file) {
@@ -67,8 +61,8 @@ std::string format_table(const Days& days) {
       text += fmt::format("  {:>4}  {:>10}  failed: {}\n", i + 1, day.seed, day.error);
       continue;
     }
-    line(i + 1, day.seed, decimals(day.all.commute_mean), day.all.finished, day.teleports.total(),
-         day.reroutes, decimals(day.router_cpu_s), decimals(day.simulation_cpu_s));
+    line(i + 1, day.seed, decimals(day.all.commute_mean, 1), day.all.finished, day.teleports.total(),
+         day.reroutes, decimals(day.router_cpu_s, 1), decimals(day.simulation_cpu_s, 1));
   }
   return text;
 }

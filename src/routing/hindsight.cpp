@@ -17,7 +17,7 @@ void Hindsight::decided(VehicleId vehicle, Millis now, Millis old_arrival, Milli
 }
 
 void Hindsight::observe(const Fleet& fleet, Millis now) {
-  const double fading = fading_.until(now);
+  const double fading = fading_.advance(now);
   for (Account* account : {&changed_, &kept_}) {
     account->old_way *= fading;
     account->new_way *= fading;

@@ -47,6 +47,7 @@ class MemoryStrategy : public Strategy {
 
   [[nodiscard]] bool looks_ahead() const override { return true; }
   [[nodiscard]] Look next_look(Millis now) const override { return forecast_->next_look(now); }
+  [[nodiscard]] bool asks_on(RoadId road) const override { return forecast_->asks_on(road); }
 
   void watch(const TrafficState& state) override {
     if (!lived_) begin_day(state);

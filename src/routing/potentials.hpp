@@ -13,9 +13,8 @@ namespace thalweg {
 /// turn takes at the best time, so that such a search looks at little beside the way that it finds
 /// (CCH-potentials: Strasser, Zeitz, "A Fast and Tight Heuristic for A* in Road Networks", 2021). Signals
 /// have two best times: with what they show as long as that is known, in the mean of their cycles afterwards.
-/// Who knows it does not find green everywhere: his way is taken to gain a fifth of the time for which he
-/// knows it, at most. That is not a bound, but he who gains more has been lucky without having looked for it
-/// (docs/tried.md).
+/// Knowing what they show is taken to save at most a fifth of the time for which that is known. This is no
+/// strict bound: a way that saves more may be missed (docs/tried.md).
 class Potentials {
  public:
   /// Of one destination; one a thread.

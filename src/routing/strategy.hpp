@@ -48,8 +48,8 @@ struct Decision {
   [[nodiscard]] Millis cost() const { return change ? new_cost : old_cost; }
   /// When it entered route.front(), where the strategy knows better than Traveller::until_route.
   std::optional<Millis> entered{};
-  /// What it is to meet on its last road beside that, in the way of the others there. The same on every way,
-  /// so that it has no part in the costs that are compared.
+  /// The delay expected on its last road, behind the others there. The same on every way, so that it has no
+  /// part in the costs that are compared.
   Millis at_the_end = 0;
   /// By how much those before it came later than was foretold for them.
   Millis later = 0;
@@ -61,7 +61,7 @@ inline Millis arrival(const Traveller& traveller, const Decision& decision, Mill
 }
 
 /// When a traveller gives up its way for a better one: the gain must exceed
-/// (relative + spread * patience) of the cost left, and `absolute`; before departure, when turning costs
+/// (relative + spread * patience) of the cost left plus `absolute`; before departure, when turning costs
 /// nothing, `relative` is left out; `caution` comes on top for everybody. Thresholds that differ between
 /// vehicles keep everybody from turning at the same news.
 struct ChoiceRule {
@@ -95,7 +95,7 @@ struct TrafficState {
   std::span<const ShownSignal> following;     ///< what those show that follow the traffic
 };
 
-/// Decides for everyone who is due, as one batch a control period.
+/// Decides for those who are due at a step, as one batch: each vehicle once a period, in its own phase.
 class Strategy {
  public:
   virtual ~Strategy() = default;

@@ -61,7 +61,7 @@ class Controller {
       fleet_.on_arrived(vehicle);
       ledger_.arrived(vehicle, simulation_.now());
     }
-    if (conditions_.advance(simulation_.now())) {  // another world: everybody is asked again, now
+    if (conditions_.advance(simulation_.now())) {  // another world: earlier answers count no more
       next_adaptation_ = simulation_.now();
       std::fill(last_questions_.begin(), last_questions_.end(), Question{});
     }

@@ -8,7 +8,7 @@ namespace thalweg {
 std::vector<std::size_t> kept_positions(const Plan& plan, std::span<const RoadId> via) {
   std::vector<std::size_t> kept{plan.route.size() - 1};
   std::size_t from = 0;
-  for (const RoadId stop : plan.waypoints) {
+  for (const RoadId stop : plan.stops) {
     const auto found =
         std::find(plan.route.begin() + static_cast<std::ptrdiff_t>(from), plan.route.end(), stop);
     if (found == plan.route.end()) return {};

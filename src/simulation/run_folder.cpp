@@ -65,7 +65,7 @@ fs::path write_edge_data(const fs::path& folder) {
 
 }  // namespace
 
-bool is_of_other_device(std::string_view name, const ArmSpec& arm) {
+bool is_overruled(std::string_view name, const ArmSpec& arm) {
   return name.starts_with("device.rerouting.") && !(arm.has_device() && name == "device.rerouting.output");
 }
 
@@ -83,7 +83,7 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
   Settings run;
   for (const auto& [name, value] : user.all()) {
     const auto* option = options.find(name);
-    if (is_replaced(name) || is_of_other_device(name, arm) || option == nullptr) continue;
+    if (is_replaced(name) || is_overruled(name, arm) || option == nullptr) continue;
     run.set(name, SumoOptions::is_output(name, option->second) ? places.place(value, home) : value);
   }
   RunFolder result{.folder = home,
@@ -104,7 +104,8 @@ RunFolder make_run_folder(const fs::path& folder, const Settings& user, const Su
   if (!run.find("error-log")) run.set("error-log", places.place("sumo.log", home));
   result.errors = *run.find("error-log");
   // What an earlier run left here must not be read as this one's, should SUMO write elsewhere or not at all.
-  for (const fs::path& file : {result.tripinfo, result.statistics, result.routes, result.errors}) {
+  for (const fs::path& file : {result.tripinfo, result.statistics, result.routes, result.errors,
+                               result.edge_data, home / "run.json"}) {
     std::error_code ignored;
     if (file.is_absolute() && fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
   }

@@ -21,9 +21,9 @@ struct RunFolder {
   std::filesystem::path errors;     ///< SUMO's warnings and errors
 };
 
-/// Whether the arm has SUMO's device otherwise than this setting of the user's says, which is left out then:
-/// it is as the arm has it; where it is at work, its weights may be written.
-bool is_of_other_device(std::string_view name, const ArmSpec& arm);
+/// A setting of the user's for SUMO's device, which is left out: the device is as the arm has it. Its output
+/// is kept where the arm has the device.
+bool is_overruled(std::string_view name, const ArmSpec& arm);
 
 /// An output that we read must be XML under a known name.
 bool is_readable_output(std::string_view file);

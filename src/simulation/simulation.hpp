@@ -25,9 +25,9 @@ struct Plan {
   std::size_t committed = 1;    ///< so many roads at the front can no longer change
   /// So many junctions are near, and it comes to each on a lane that leads to its next road alone.
   std::size_t own_lanes = 0;
-  double driven = 0;                ///< share of route.front() that lies behind it, 0 .. 1
-  std::vector<RoadId> waypoints{};  ///< its stops ahead and its `via` still ahead, in the order of the route
-  bool can_change = true;  ///< false: it is not on the road (teleporting, parked) or its route is odd
+  double driven = 0;            ///< share of route.front() that lies behind it, 0 .. 1
+  std::vector<RoadId> stops{};  ///< the roads of its stops still ahead, in their order
+  bool can_change = true;       ///< false: it is not on the road (teleporting, parked) or its route is odd
 };
 
 /// A running simulation, as the control loop needs it. SumoSession is SUMO; tests have one of their own.

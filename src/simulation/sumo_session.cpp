@@ -28,7 +28,7 @@ std::vector<std::string> loaded_at_start() {
   return {};
 }
 
-/// Whose vehicles tell nothing of their stops: SUMO warns each time they are asked.
+/// SUMO warns each time a mesoscopic vehicle is asked whether it stands at a stop.
 template <class SumoSimulation>
 bool is_mesoscopic() {
   if constexpr (requires { SumoSimulation::getOption(std::string()); })
@@ -88,11 +88,12 @@ class SumoSession : public Simulation {
   }
 
   std::span<const Observation> observe(Look look) override {
+    const bool by_lane = look != Look::roads && !is_mesoscopic_;  // who is mesoscopic is on no lane
     observations_.clear();
     for (std::size_t i = 0; i < running_.size();) {
       try {
         Running& vehicle = running_[i];
-        if (look == Look::roads ? look_at_road(vehicle) : look_at_lane(vehicle)) {
+        if (by_lane ? look_at_lane(vehicle) : look_at_road(vehicle)) {
           Observation& seen = observations_.back();
           seen.speed = libsumo::Vehicle::getSpeed(vehicle.name);
           if (look == Look::positions) seen.position = libsumo::Vehicle::getLanePosition(vehicle.name);
@@ -250,6 +251,10 @@ class SumoSession : public Simulation {
   bool look_at_road(Running& vehicle) {
     if (!find(libsumo::Vehicle::getRoadID(vehicle.name), vehicle)) return false;
     observations_.push_back({.road = vehicle.road, .vehicle = vehicle.id});
+    if (is_mesoscopic_) {  // any lane, so that queues are spread over all
+      const Road& road = network_.roads[vehicle.road];
+      observations_.back().lane = road.lane(vehicle.id.value % road.lane_count);
+    }
     return true;
   }
   bool look_at_lane(Running& vehicle) {
@@ -293,7 +298,7 @@ class SumoSession : public Simulation {
     for (const auto& stop : libsumo::Vehicle::getStops(name)) {
       const auto road = network_.find_road(std::string_view(stop.lane).substr(0, stop.lane.rfind('_')));
       if (!road) return;
-      plan.waypoints.push_back(*road);
+      plan.stops.push_back(*road);
     }
     plan.can_change = true;
   }

@@ -28,7 +28,7 @@ class Discharge {
   Discharge(const Network& network, const Servers& servers, const Demand& demand,
             const DischargeOptions& options = {});
 
-  /// After every look at the traffic; `interval` between two looks.
+  /// After every look at the traffic.
   void observe(const Fleet& fleet, Millis now);
 
   [[nodiscard]] double factor(LaneId lane) const { return lanes_[lane].factor; }

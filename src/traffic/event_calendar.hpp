@@ -27,7 +27,7 @@ class EventCalendar {
     tick_ = 0;
   }
 
-  /// One of the tick at hand or before it comes last in that.
+  /// An event of the present tick, or of an earlier time, comes last in the present one.
   void add(const Event& event) {
     if (event.time > horizon_) return;
     Tick& tick = ticks_[std::max(tick_, tick_of(event.time))];

@@ -13,8 +13,8 @@ class Fading {
  public:
   explicit Fading(double memory) : memory_(memory) {}
 
-  /// The share that is left of what there was at the last call, the first of which counts from 0.
-  [[nodiscard]] double until(Millis now) {
+  /// Moves on to `now`: the share that is left of what there was at the last call (at the first: at 0).
+  [[nodiscard]] double advance(Millis now) {
     return std::exp(-to_seconds(now - std::exchange(last_, now)) / memory_);
   }
 

@@ -16,7 +16,7 @@ struct FleetVehicle {
   State state = State::away;
   bool on_junction = false;     ///< it has left route[position] and not yet reached the next
   bool is_lost = false;         ///< not where its route says: teleporting, or re-routed by somebody else
-  Millis depart = 0;            ///< as demanded
+  Millis depart = 0;            ///< as demanded, but not before it was loaded
   std::vector<RoadId> route{};  ///< from its first road to its last
   std::size_t position = 0;     ///< in `route`: the road it is on, or has just left
   LaneId lane{};                ///< of that road; invalid: not seen yet

@@ -9,7 +9,7 @@ LastRoads::LastRoads(std::size_t vehicles, const LastRoadOptions& options)
     : options_(options), fading_(options.memory), stays_(vehicles) {}
 
 void LastRoads::observe(const Fleet& fleet, const Expectation& expected, Millis now) {
-  const double fading = fading_.until(now);
+  const double fading = fading_.advance(now);
   expected_ *= fading;
   taken_ *= fading;
   // Both its entry and its end are noticed half an interval late, in the mean.

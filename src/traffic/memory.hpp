@@ -33,9 +33,10 @@ struct RememberedTrip {
 struct Memory {
   Millis bin = 90'000;  ///< of the time of day
   std::size_t days = 0;
-  std::vector<std::vector<RememberedTime>> times{};  ///< by bin; roads in order
-  std::vector<RememberedTrip> trips{};               ///< in the order of their departures
-  double commute = 0;                                ///< s: of these trips, in the mean
+  /// By bin; roads in order. For SUMO's tools (duarouter --weight-files): no decision goes by it.
+  std::vector<std::vector<RememberedTime>> times{};
+  std::vector<RememberedTrip> trips{};  ///< in the order of their departures
+  double commute = 0;                   ///< s: of these trips, in the mean
 
   /// What a new day counts at least against all those before.
   static constexpr double least_step = 0.2;

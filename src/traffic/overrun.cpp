@@ -12,7 +12,7 @@ void Overrun::predicted(VehicleId vehicle, Millis now, Millis arrival, bool is_n
 }
 
 void Overrun::observe(const Fleet& fleet, Millis now) {
-  const double fading = fading_.until(now);
+  const double fading = fading_.advance(now);
   for (double* sum : {&n_, &x_, &y_, &xx_, &xy_}) *sum *= fading;
   open_.settle(fleet, [&](const std::vector<Prediction>& predictions) {
     for (const Prediction& prediction : predictions) {

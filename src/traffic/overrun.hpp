@@ -11,8 +11,10 @@ namespace thalweg {
 struct OverrunOptions {
   double memory = 1200;  ///< s after which what was seen counts 1/e
   double prior = 100;    ///< predictions that the model as it is counts for
-  double most = 10;      ///< s, and so much of what was foretold: what is more says something of one jam, and
-  double most_share = 0.2;  ///< would make the others' predictions worse
+  /// s, and so much of what was foretold: no prediction counts for a larger error, which is one jam's and
+  /// would make the others' predictions worse.
+  double most = 10;
+  double most_share = 0.2;
 };
 
 /// How much later than foretold vehicles arrive: a time, and a share of what was left. Who takes the best of

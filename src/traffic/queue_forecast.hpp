@@ -38,7 +38,7 @@ class QueueForecast {
   QueueForecast(const Network& network, const Servers& servers, const Discharge& discharge,
                 const ForecastOptions& options = {});
 
-  /// Whom SUMO will load.
+  /// Whom SUMO has not loaded yet.
   [[nodiscard]] Departures& departures() { return departures_; }
   /// Looks ahead from the fleet's present state; roads take their free flow times the level's pace.
   void run(const Fleet& fleet, const Level& level, Millis now);
@@ -145,11 +145,11 @@ class QueueForecast {
   EventCalendar<Event> calendar_;
   IdVector<LaneId, Queue> queues_;
   IdVector<LaneId, std::vector<Passed>> passed_;
-  std::vector<LaneId> used_;  ///< queues that are not as new
+  std::vector<LaneId> used_;  ///< queues that the next run has to clear
   IdVector<RoadId, Room> rooms_;
   IdVector<RoadId, std::vector<float>> delayed_;  ///< s from now: when others who waited behind these went on
   IdVector<LaneId, WaitingLine> lines_;
-  std::vector<LaneId> lined_;  ///< lines that are not as new
+  std::vector<LaneId> lined_;  ///< lines that the next run has to clear
   IdVector<VehicleId, Millis> insertion_;
   IdVector<VehicleId, Leaving> leaving_;
   QueueTable table_;

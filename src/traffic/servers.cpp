@@ -5,6 +5,7 @@
 #include <map>
 
 #include "network/lane_targets.hpp"
+#include "network/right_of_way.hpp"
 #include "traffic/green.hpp"
 
 namespace thalweg {
@@ -37,9 +38,6 @@ int openness(const Lane& lane) {
   if (lane.permissions.allows(VehicleClass::passenger)) return 2;
   return (lane.permissions & on_foot_or_bicycle.complement()) == Permissions::none() ? 0 : 1;
 }
-
-bool gives_way_after_stop(char state) { return state == 's' || state == 'w' || state == '='; }
-bool gives_way(char state) { return state == 'm' || gives_way_after_stop(state); }
 
 }  // namespace
 

@@ -37,9 +37,9 @@ struct ServerOptions {
 };
 
 /// Every lane as a server of those that leave it: how long one takes, and how many find room to wait.
-/// Headways from the signal programmes (green share of the link) and the right of way, for the mean of a
-/// cycle: phases themselves are left out, they are over before a forecast comes true. Only between the stop
-/// lines of one signal they count: who was let in there mostly finds the next one green.
+/// Headways and delays from the signal programmes (green share of the link) and the right of way, in the mean
+/// of a cycle; only on a road between two stop lines of one signal the phases count, since who was let in
+/// there mostly finds the next one green. What signals show at which time is kept apart (signal_waits).
 class Servers {
  public:
   explicit Servers(const Network& network, const ServerOptions& options = {});
@@ -77,7 +77,7 @@ class Servers {
   [[nodiscard]] double free_flow(RoadId road) const { return free_flow_[road]; }  ///< s
   [[nodiscard]] RoadEnd end(RoadId road) const { return ends_[road]; }
   /// Vehicles. Never fewer than are in service when its lanes let pass what they can, each of them for its
-  /// mean delay (Little's law): else three cars on a short road were all that pass in a mean red.
+  /// mean delay (Little's law); else a road with room for three would let only three pass in a mean red.
   [[nodiscard]] double storage(RoadId road) const { return storage_[road]; }
 
  private:

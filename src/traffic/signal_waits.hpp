@@ -22,7 +22,7 @@ class SignalWaits {
  public:
   explicit SignalWaits(std::size_t movements);
 
-  /// Farther ahead only means count: what is left of the knowledge then has brought nobody anything.
+  /// Farther ahead only the mean wait counts: finer knowledge made nobody arrive earlier (docs/tried.md).
   static constexpr Millis known_ahead = 240'000;
 
   /// `until_open`: for each second of the cycle, s until the movement may go (seconds_until_open); the cycle

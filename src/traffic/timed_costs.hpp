@@ -34,9 +34,9 @@ struct Expectation {
 
 /// The time of every turn by the time of entering the road that is left, as one class will find it: the
 /// paper's f(t, I) over the horizon of a forecast. Piecewise linear, and made so that leaving later never
-/// arrives earlier; before now it is that of now, after the horizon that of its end. On top, where a signal
-/// shows the same in every cycle and no queue stands: what it shows at that time (SignalWaits); and for a
-/// turn back onto a road that is crowded now, what makes that a last resort.
+/// arrives earlier; before now it is that of now, after the horizon that of its end. On top, where
+/// SignalWaits knows the signal: what it shows at that time, the less the longer the queue; and for a turn
+/// back onto a road that is crowded now, what makes that a last resort.
 class TimedCosts {
  public:
   TimedCosts(const Network& network, const RoadGraph& graph);

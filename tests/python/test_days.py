@@ -6,12 +6,13 @@ import tempfile
 from pathlib import Path
 
 import support
-from support import make_grid, random_trips, read_xml, run_tool, thalweg, without_comments, write, write_routes
+from support import expand, make_grid, on_each, random_trips, read_xml, run_tool, thalweg, without_comments, write, write_routes
 
 DAYS = 3
 VEHICLES = 150
 
 
+@expand
 class Days(support.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -102,10 +103,16 @@ class Days(support.TestCase):
                 self.assertEqual(without_comments(self.memory(day, file, folder)),
                                  without_comments(self.memory(day, file)), f"day {day}: {file}")
 
-    def test_does_not_go_on_after_days_of_another_call(self):
-        result = self.days("--days", 4, "--seed", 5)
+    @on_each(("--seed=5", "--same-seed"))
+    def test_does_not_go_on_after_days_of_another_call(self, other):
+        result = self.days("--days", 4, other)
         self.assertEqual(result.exit, 1, result)
         self.assertIn("another call", result.err)
+
+    def test_more_days_than_asked_for_are_there_already(self):
+        result = self.days("--days", 2)
+        self.assertEqual(result.exit, 0, result)
+        self.assertIn("3 day(s) are there already", result.err)
 
     def test_a_damaged_memory_ends_it_in_words(self):
         folder = self.folder()

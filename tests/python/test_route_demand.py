@@ -118,11 +118,12 @@ class RouteDemand(support.TestCase):
     def test_what_is_left_out_is_counted(self):
         net, folder = make_grid(self.folder()), self.folder()
         demand = write(folder / "d.rou.xml", """<routes><trip id="good" depart="0" from="A0B0" to="B0C0"/>
-            <trip id="x" depart="0" from="A0B0" to="atlantis"/><person id="p" depart="0"><personTrip to="A0B0"/></person>
+            <trip id="x" depart="0" from="A0B0" to="atlantis"/><trip id="y" depart="0" fromJunction="A0" to="B0C0"/>
+            <flow id="f" begin="0" end="9" from="A0B0" to="B0C0"/><person id="p" depart="0"><personTrip to="A0B0"/></person>
             </routes>""")
         result = self.succeeds("route", "-n", net, "-r", demand, "-o", folder / "o.xml", "--ignore-errors")
         self.assertIn("atlantis", result.err)
-        self.assertIn("Warning: 2 left out", result.err)
+        self.assertIn("Warning: 4 left out", result.err)
         self.assertEqual([v.get("id") for v in read_xml(folder / "o.xml")], ["good"])
 
     def test_luxembourg(self):

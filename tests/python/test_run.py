@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """One run of SUMO with our router in charge: what comes out, and what is kept."""
+import json
 import statistics
 
 import support
@@ -144,6 +145,23 @@ class SmallGrid(support.GridCase):
         self.assertEqual(run.summary["finished"], 200)
         self.assertGreater(run.summary["reroutes"], 0)
         self.assertEqual((run.folder / "sumo.log").read_text(), "", "a warning for every decision")
+
+    def test_meso_is_foretold(self):
+        """Mesoscopic vehicles are on no lane; not seen on their roads, everybody is foretold 70 % too long."""
+        run = self.drive(random_trips(self.net, 400, 100), sumo=["--mesosim"])
+        errors = [horizon for horizon in run.summary["forecast_error"] if horizon["predictions"]]
+        bias, realised = (sum(e["predictions"] * e[key] for e in errors) for key in ("bias", "realised_mean"))
+        self.assertLess(abs(bias), 0.5 * realised)
+
+    def test_a_saved_configuration_runs(self):
+        """The file of -C names the user's configuration, wherever it is read from."""
+        folder = self.folder()
+        trips = self.trips(random_trips(self.net, 20, 10))
+        city = write(self.place / "city.sumocfg", f"""<configuration><net-file value="{self.net.name}"/>
+            <route-files value="{trips.name}"/><end value="500"/></configuration>""")
+        self.succeeds("run", "-c", city.name, "--period", 30, "--end", 60, "-C", folder / "saved.cfg", cwd=self.place)
+        self.succeeds("run", "-c", folder / "saved.cfg", "-o", folder / "out")
+        self.assertEqual(json.loads((folder / "out" / "run.json").read_text())["end_s"], 60)
 
     def test_left_hand(self):
         self.net = make_grid(self.place, "--lefthand")

@@ -141,7 +141,7 @@ class FakeSimulation : public Simulation {
     for (const RoadId stop : state.vehicle.stops) {
       const auto found = std::find(from, plan.route.end(), stop);
       if (found == plan.route.end()) continue;
-      plan.waypoints.push_back(stop);
+      plan.stops.push_back(stop);
       from = found;
     }
     return plan;

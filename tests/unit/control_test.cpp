@@ -611,14 +611,14 @@ TEST_F(Control, TheSameRunIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(log_of(4), one);
 }
 
-// Positions on the roads are asked for when there will be a new forecast, every 15 s.
+// Positions on the roads are asked for when there will be a new forecast, every 20 s.
 TEST_F(Control, PositionsAreLookedAtOnlyForANewForecast) {
   FakeSimulation simulation(net, fleet(net, 3, "SABT"), {.end = 46'000});
   run(simulation, net, make_strategy("forecast", {}).get(), {});
   const auto lanes = Look::lanes;
   const auto positions = Look::positions;
-  EXPECT_EQ(simulation.looks, (std::vector{positions, lanes, lanes, positions, lanes, lanes, positions, lanes,
-                                           lanes, positions}));
+  EXPECT_EQ(simulation.looks,
+            (std::vector{positions, lanes, lanes, lanes, positions, lanes, lanes, lanes, positions, lanes}));
   FakeSimulation other(net, fleet(net, 3, "SABT"), {.end = 6'000});
   run(other, net, make_strategy("evolved", {}).get(), {});
   EXPECT_EQ(other.looks, (std::vector{Look::roads, Look::roads}));

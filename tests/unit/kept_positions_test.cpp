@@ -10,7 +10,7 @@ using Positions = std::vector<std::size_t>;
 
 // Roads 0, 1 .. as a route; what must be kept of it.
 Plan plan(std::vector<RoadId> route, std::vector<RoadId> stops = {}) {
-  return {.route = std::move(route), .waypoints = std::move(stops)};
+  return {.route = std::move(route), .stops = std::move(stops)};
 }
 constexpr RoadId a{0U};
 constexpr RoadId b{1U};

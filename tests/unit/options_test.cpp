@@ -182,6 +182,15 @@ TEST(Options, SavingIsTheWholeCommand) {
   EXPECT_EQ(read_bytes(file), parsed({"--threads=2"}).to_xml(true));
 }
 
+TEST(Options, ASavedConfigurationMayBeReadFromAnywhere) {
+  const TemporaryFolder folder;
+  const auto file = folder / "saved.cfg";
+  EXPECT_TRUE(parsed({"-C", file.string(), "-n", "a.xml,/b.xml"}).answered());
+  Options again = parsed({});
+  again.take_file(file);
+  EXPECT_EQ(again.text("net-file"), (std::filesystem::current_path() / "a.xml").string() + ",/b.xml");
+}
+
 TEST(Options, AConfigurationOfOursIsSeenFromItsFolderAndUnderTheCommandLine) {
   const TemporaryFolder folder;
   const auto file = folder.write("a.cfg",
@@ -210,6 +219,16 @@ TEST(Options, HelpShowsSectionsNamesTypesAndDefaults) {
                            "      --period TIME", "How often [60]", "  -?, --help"}) {
     EXPECT_TRUE(contains(help, part));
   }
+}
+
+TEST(Options, HelpKeepsASectionTogether) {
+  const std::string help = Options("run", "one run",
+                                   {{"input", "net-file", 'n', "FILE", "", "The network"},
+                                    {"routing", "period", 0, "TIME", "60", "How often"},
+                                    {"input", "memory-input", 0, "FILE", "", "The days before"}})
+                               .help();
+  EXPECT_LT(help.find("--memory-input"), help.find("\nrouting:\n"));
+  EXPECT_EQ(help.find("\ninput:\n"), help.rfind("\ninput:\n"));
 }
 
 }  // namespace

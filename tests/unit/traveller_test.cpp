@@ -34,7 +34,7 @@ TEST_F(Travellers, WhoIsWhereItWantsToBeHasNothingToDecide) {
 }
 
 TEST_F(Travellers, HaveNoWayPointsBehindThem) {
-  const Plan plan{.route = way(net, "ABCDE"), .committed = 2, .waypoints = way(net, "BCD")};
+  const Plan plan{.route = way(net, "ABCDE"), .committed = 2, .stops = way(net, "BCD")};
   const auto found = make_traveller(plan, {}, graph);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->waypoints, vertices("CDE"));

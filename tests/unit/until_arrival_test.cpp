@@ -34,9 +34,9 @@ TEST(UntilArrival, HandsOverWhatIsKeptOfThoseWhoHaveArrivedOnce) {
 TEST(Fading, LeavesTheSameWhateverTheSteps) {
   Fading once(100);
   Fading twice(100);
-  const double first = twice.until(30'000);
-  EXPECT_NEAR(once.until(100'000), std::exp(-1.0), 1e-12);
-  EXPECT_NEAR(first * twice.until(100'000), std::exp(-1.0), 1e-12);
+  const double first = twice.advance(30'000);
+  EXPECT_NEAR(once.advance(100'000), std::exp(-1.0), 1e-12);
+  EXPECT_NEAR(first * twice.advance(100'000), std::exp(-1.0), 1e-12);
 }
 
 }  // namespace
