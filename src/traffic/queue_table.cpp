@@ -64,8 +64,8 @@ void QueueTable::tabulate_road(const Servers& servers, const Discharge& discharg
   headway_[road] = rate > 0 ? 1 / rate : 0;
   const double before = std::exchange(delay_[road], lone_wait(servers, road));
   const bool was_empty = is_empty_[road];
-  is_empty_[road] = total == 0;
-  if (total == 0 && was_empty && delay_[road] == before) return;  // most roads of a large net at night
+  is_empty_[road] = total == 0 && delayed.empty();
+  if (is_empty_[road] && was_empty && delay_[road] == before) return;  // most roads of a large net at night
   std::fill(waits.begin(), waits.end(), total == 0 ? static_cast<float>(delay_[road]) : 0.0F);
   std::fill(arrivals.begin(), arrivals.end(), 0.0F);
   if (tolls_) tolls_->clear(road);

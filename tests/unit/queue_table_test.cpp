@@ -10,7 +10,7 @@
 namespace thalweg::testing {
 namespace {
 
-//     A---B---C      a lane lets one pass in 2 s; a vehicle a second reaches the end of AB, until 30 s
+//     A---B---C---D      a lane lets one pass in 2 s; a vehicle a second reaches the end of AB, until 30 s
 class QueueTableTest : public ::testing::Test {
  protected:
   QueueTableTest() {
@@ -19,7 +19,7 @@ class QueueTableTest : public ::testing::Test {
     table.tabulate(servers, discharge, passed, delayed);
   }
 
-  Network net = ascii_network("A---B---C");
+  Network net = ascii_network("A---B---C---D");
   Servers servers{net};
   Demand demand;
   Discharge discharge{net, servers, demand};
@@ -54,6 +54,17 @@ TEST_F(QueueTableTest, HasTolls) {
   delayed[ab] = {5, 15};
   table.tabulate(servers, discharge, passed, delayed);
   EXPECT_GT(table.toll(ab, 0), before);
+}
+
+// BC: all end there.
+TEST_F(QueueTableTest, ARoadThatNobodyLeavesHasTollsWhileSomebodyWaitsForIt) {
+  const RoadId bc = road(net, "BC");
+  delayed[bc] = {5, 15};
+  table.tabulate(servers, discharge, passed, delayed);
+  EXPECT_GT(table.toll(bc, 0), 0);
+  delayed[bc] = {};
+  table.tabulate(servers, discharge, passed, delayed);
+  EXPECT_EQ(table.toll(bc, 0), 0);
 }
 
 TEST_F(QueueTableTest, WhoIsStillThereAtTheHorizonLeavesAfterIt) {
