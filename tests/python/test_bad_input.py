@@ -394,6 +394,30 @@ class BadInput(support.TestCase):
         self.succeeds("network", "-n", net)
         self.fails("SUMO.*(tools/setup|doctor)", "run", "-n", net, "-r", trips, "-o", "out")
 
+    @on_each(("--net-file", "--seed", "--tripinfo-output.write-unfinished"))
+    def test_sumo_alone_gets_nothing_that_a_run_stands_on(self, option):
+        net = make_grid(self.place)
+        trips = write_routes(self.place / "t.xml", random_trips(net, 3, 3))
+        self.fails(f"{option}.*cannot be given to SUMO alone", "run", "-n", net, "-r", trips, "-o", "out", "--", option, "1")
+
+    @on_each(("run", "compare", "days"))
+    def test_a_road_that_is_closed_for_ours_only_is_told(self, command):
+        """A closingReroute without classes, on the road B0C0: SUMO's device drives through."""
+        net = make_grid(self.place)
+        trips = write_routes(self.place / "t.xml", random_trips(net, 3, 3))
+        closed = write(self.place / "c.add.xml", '<additional><rerouter id="r" edges="A0B0"><interval begin="0" end="60">'
+                       '<closingReroute id="B0C0"/></interval></rerouter></additional>')
+        router = ["--arms", "device", "--seeds", 1] if command == "compare" else ["--strategy", "device"]
+        more = ["--days", 1] if command == "days" else []
+        result = self.succeeds(command, "-n", net, "-r", trips, "-a", closed, "-o", "out", *router, *more, cwd=self.place)
+        self.assertIn("the closingReroute of 'B0C0' names no classes", result.err)
+
+    def test_a_memory_that_cannot_be_written(self):
+        net = make_grid(self.place)
+        trips = write_routes(self.place / "t.xml", random_trips(net, 3, 3))
+        self.fails("cannot write to the folder '/proc/none'", "run", "-n", net, "-r", trips, "-o", "out", "--strategy",
+                   "memory", "--memory-output", "/proc/none")
+
     def test_sumo_gives_up(self):
         """What SUMO alone notices is told in its words. (A run that dies in the middle: test_compare.)"""
         net = make_grid(self.place)
