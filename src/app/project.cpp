@@ -35,20 +35,33 @@ constexpr std::array<std::string_view, 9> shared_with_sumo{"net-file",
                                                            "weights.turnaround-penalty",
                                                            "weights.tls-penalty"};
 
-/// One that --save-configuration wrote names the user's: what it says itself counts more.
-void read_user_configuration(Options& options, Project& project, const fs::path& file) {
+struct Configuration {
+  fs::path file;
+  std::vector<Setting> settings;
+};
+
+/// This one last, after those that it names in turn: --save-configuration writes the name of the one that was
+/// given, and what a file says itself counts more. SUMO does not look at such a name, and runs a file whose
+/// name leads nowhere or back to it; so do we.
+std::vector<Configuration> with_named_ones(const fs::path& file) {
+  std::vector<Configuration> found;
+  for (fs::path next = file;;) {
+    found.push_back({.file = next, .settings = read_configuration(next)});
+    const auto& settings = found.back().settings;
+    const auto named = std::ranges::find(settings, "configuration-file", &Setting::name);
+    next = named == settings.end() ? "" : resolve_files(named->value, fs::absolute(next).parent_path());
+    const auto is_next = [&](const Configuration& known) { return fs::equivalent(known.file, next); };
+    if (!fs::is_regular_file(next) || std::ranges::any_of(found, is_next)) break;
+  }
+  std::ranges::reverse(found);
+  return found;
+}
+
+void read_user_configuration(Options& options, Project& project, const Configuration& configuration) {
+  const fs::path& file = configuration.file;
   std::vector<std::string> names = project.catalogue.names();
   for (const auto& spec : options.specs()) names.push_back(spec.name);
-  const std::vector<Setting> settings = read_configuration(file);
-  const auto named = std::ranges::find(settings, "configuration-file", &Setting::name);
-  if (named != settings.end() && !named->value.empty()) {
-    const fs::path inner = resolve_files(named->value, fs::absolute(file).parent_path());
-    verify(fs::exists(inner) && !fs::equivalent(inner, file),
-           fmt::format("{}: the configuration '{}' does not exist, or is the same", file.string(),
-                       inner.string()));
-    read_user_configuration(options, project, inner);
-  }
-  for (const Setting& setting : settings) {
+  for (const Setting& setting : configuration.settings) {
     const auto* option = project.catalogue.find(setting.name);
     const std::string name = option == nullptr ? setting.name : option->first;
     const bool ours = options.take({.name = name, .value = setting.value});
@@ -172,18 +185,9 @@ std::string told(std::string_view left_out, const std::vector<DroppedVehicle>& d
                      dropped.front().reason, dropped.size() > 1 ? " .." : "", files.dropped().string());
 }
 
-}  // namespace
-
-std::vector<LaneChange> lane_changes(const Project& project) {
-  return read_lane_changes(file_list(project.settings.find("additional-files").value_or("")),
-                           project.network);
-}
-
-namespace {
-
 /// What a comparison with SUMO's device must know: for it the road is open.
 void tell_open_closings(const Project& project) {
-  const auto changes = lane_changes(project);
+  const auto& changes = project.lane_changes;
   const auto open = std::ranges::find_if(changes, [](const LaneChange& change) { return !change.enforced; });
   if (open == changes.end()) return;
   warn(fmt::format(
@@ -249,7 +253,10 @@ Project load_project(Options& options, const std::function<void(const SumoOption
          fmt::format("the configuration '{}' does not exist", configuration.string()));
   project.catalogue = SumoOptions::ask(project.sumo.sumo);
   check_for_sumo(options, project.catalogue);
-  if (!configuration.empty()) read_user_configuration(options, project, configuration);
+  if (!configuration.empty()) {
+    for (const Configuration& one : with_named_ones(configuration))
+      read_user_configuration(options, project, one);
+  }
   apply_command_line(options, project);
   fill_in_time(project.settings);
   check(project.catalogue);
@@ -282,6 +289,8 @@ Project load_project(Options& options, const std::function<void(const SumoOption
     verify(!options.flag("strict"), text);
     warn(text);
   }
+  project.lane_changes =
+      read_lane_changes(file_list(project.settings.find("additional-files").value_or("")), project.network);
   return project;
 }
 

@@ -25,6 +25,7 @@ struct Project {
   Network network;
   Demand demand;
   DemandFiles demand_files{std::filesystem::path()};
+  std::vector<LaneChange> lane_changes;  ///< what the additional files do to lanes on the way
 };
 
 /// The options that `run` and `compare` share.
@@ -33,9 +34,6 @@ std::vector<OptionSpec> project_options();
 /// Reads the configuration and the net, and prepares the demand (or reads the one named by --prepared).
 /// `check` looks at the command's own options once the configuration is read, before the work begins.
 Project load_project(Options& options, const std::function<void(const SumoOptions&)>& check);
-
-/// What the additional files do to lanes on the way.
-std::vector<LaneChange> lane_changes(const Project& project);
 
 /// Tells which of the user's outputs come under another name than his, or not at all because no arm writes
 /// them (device.rerouting.output), that the settings of SUMO's device are those of the arms, and which closed

@@ -84,7 +84,7 @@ void tell_end(const RunResult& result, Millis stall) {
 RunResult simulate(const Options& options, const Project& project, const ArmSpec& arm,
                    const RunFolder& folder, RunSummary& summary) {
   ControlOptions control_with = control_options(options);
-  control_with.lane_changes = lane_changes(project);
+  control_with.lane_changes = project.lane_changes;
   control_with.seed = summary.seed;
   const std::string& decision_output = options.text("decision-output");
   std::optional<DecisionOutput> decisions;  // opened before the work, so that a bad name costs no run

@@ -163,6 +163,16 @@ class SmallGrid(support.GridCase):
         self.succeeds("run", "-c", folder / "saved.cfg", "-o", folder / "out")
         self.assertEqual(json.loads((folder / "out" / "run.json").read_text())["end_s"], 60)
 
+    @on_each(("none.sumocfg", "city.sumocfg", "other.sumocfg"))
+    def test_a_configuration_that_names_none_or_itself_or_one_that_names_it(self, named):
+        """SUMO does not look at such a name."""
+        trips = self.trips(random_trips(self.net, 20, 10))
+        for name, other in (("city.sumocfg", named), ("other.sumocfg", "city.sumocfg")):
+            write(self.place / name, f"""<configuration><configuration-file value="{other}"/>
+                <net-file value="{self.net.name}"/><route-files value="{trips.name}"/></configuration>""")
+        run = self.run_city("-c", self.place / "city.sumocfg")
+        self.assertEqual(run.summary["finished"], 20)
+
     def test_left_hand(self):
         self.net = make_grid(self.place, "--lefthand")
         run = self.drive(random_trips(self.net, 200, 100))
